@@ -188,8 +188,8 @@ fn names_agree() {
 #[test]
 fn the_rule_for_infinite_limits_has_one_wording() {
     for file in [
-        "src/limits.rs", "src/fastest/bell.rs", "src/capi/atraj/bell.rs", "src/capi/atraj/move.rs", "include/atraj.h",
-        "include/atraj/move.h", "python/atraj/values.py", "python/src/classes/profiles.rs",
+        "src/limits.rs", "src/fastest/bell.rs", "src/capi/atraj/profiles.rs", "src/capi/atraj/move.rs",
+        "include/atraj.h", "include/atraj/move.h", "python/atraj/values.py", "python/src/classes/profiles.rs",
     ] {
         assert!(read(file).contains("A jerk, or both accelerations, are finite."), "{file}");
     }

@@ -2,29 +2,25 @@
 
 mod axes;
 mod axis;
-mod bell;
 mod clock;
 mod codes;
 mod group;
 mod r#move;
 mod path;
-mod poly;
+mod profiles;
 mod shaper;
 mod steps;
-mod trap;
 
 pub use axes::*;
 pub use axis::*;
-pub use bell::*;
 pub use clock::*;
 pub use codes::*;
 pub use group::*;
 pub use r#move::*;
 pub use path::*;
-pub use poly::*;
+pub use profiles::*;
 pub use shaper::*;
 pub use steps::*;
-pub use trap::*;
 
 use super::{Face, Number, a_float};
 use crate::findings::{Error, Extremes, Findings};
