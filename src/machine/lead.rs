@@ -6,7 +6,7 @@ use crate::interval::rounding::of_check;
 use crate::limits::Limits;
 use crate::online::Move;
 use crate::real::Real;
-use crate::several::line_stop::goes_along;
+use crate::several::line::goes_along;
 use crate::state::State;
 
 /// A law, and the lead whose positions it gives; no lead if the axes go on to the end.

@@ -24,25 +24,21 @@
 //! programs with a group, steps, shapers, and streams of both.
 
 #[allow(unsafe_code)] // the moves of an axis, which `handover` proves to be used by one side at a time
-pub(crate) mod axis;
+mod axis;
 mod change;
-pub(crate) mod clock;
+mod clock;
 mod enclosure;
 #[allow(unsafe_code)] // as above
 pub(crate) mod group;
 mod handover;
 mod lead;
 mod sections;
-pub(crate) mod shaper;
-pub(crate) mod shaper_stream;
-pub(crate) mod step_stream;
-pub(crate) mod steps;
+mod shaper;
+mod steps;
 
 pub use axis::{Axis, Planner, Ticker};
 pub use clock::Clock;
 use core::sync::atomic;
 pub use group::{Group, GroupPlanner, GroupTicker, Tick};
-pub use shaper::{Shaper, ShaperKind};
-pub use shaper_stream::ShaperStream;
-pub use step_stream::StepStream;
-pub use steps::{Step, Steps};
+pub use shaper::{Shaper, ShaperKind, ShaperStream};
+pub use steps::{Step, StepStream, Steps};

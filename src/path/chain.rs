@@ -1,6 +1,7 @@
 //! The sections of a path, one after the other: what is given, and the plan as it stands.
 
-use super::{bounds::Bounds, memory::Memory, slack::Side};
+use super::memory::Memory;
+use super::slack::{Bounds, Side};
 use crate::findings::{Error, Findings};
 use crate::limits::Limits;
 use crate::online::problem::Problem;

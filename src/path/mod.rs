@@ -5,7 +5,6 @@
 
 mod barrier;
 mod bend;
-mod bounds;
 mod chain;
 mod contour;
 mod curve;

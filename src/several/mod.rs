@@ -7,12 +7,10 @@ pub(crate) mod axis;
 mod blend;
 mod cruise;
 pub(crate) mod cycle;
-mod line;
-pub(crate) mod line_stop;
+pub(crate) mod line;
 mod sync;
 mod within;
 
-pub use line::line;
-pub use line_stop::line_stop;
+pub use line::{line, line_stop};
 pub use sync::synchronise;
 pub use within::synchronise_within;

@@ -3,7 +3,7 @@
 use super::r#move::{atraj_limits, atraj_move};
 use super::{answer, list, write};
 use crate::capi::{Number, a_float, assert_same_layout, of, of_mut, value};
-use crate::machine::clock::Clock;
+use crate::machine::Clock;
 use core::ffi::{c_int, c_uint};
 
 /// @brief The time of a path as a move itself. Its members are the library's own.

@@ -4,8 +4,7 @@ use super::r#move::{atraj_move, atraj_state};
 use super::{answer, done, list_mut, put, write_state};
 use crate::capi::{Number, a::trajbell::a_trajbell, a_float, assert_same_layout, of, of_mut};
 use crate::findings::Error;
-use crate::machine::shaper::{Shaper, ShaperKind};
-use crate::machine::shaper_stream::ShaperStream;
+use crate::machine::{Shaper, ShaperKind, ShaperStream};
 use core::ffi::{c_int, c_uint};
 
 /// How a shaper meets a frequency that is not exactly known.

@@ -3,7 +3,7 @@
 use super::r#move::{atraj_move, atraj_phase, atraj_state};
 use super::{answer, done, put};
 use crate::capi::{Number, a_float, assert_same_layout, of, of_mut};
-use crate::machine::{step_stream::StepStream, steps::Steps};
+use crate::machine::{StepStream, Steps};
 use core::ffi::{c_int, c_uint};
 
 /// @brief The steps of a motor that follows a move. Copy it to look ahead.
