@@ -95,12 +95,6 @@ pub use state::{Boundary, Saturation, State};
 
 #[cfg(doctest)]
 #[doc = include_str!("../docs/moves.md")]
-mod moves {}
-
-#[cfg(doctest)]
 #[doc = include_str!("../docs/path.md")]
-mod waypoints {}
-
-#[cfg(doctest)]
 #[doc = include_str!("../docs/machine.md")]
-mod what_a_loop_holds {}
+mod guides {}
