@@ -73,11 +73,6 @@ impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
         }
     }
 
-    fn weight_of_point(&self, point: usize) -> R {
-        let weights = &self.memory.weights;
-        weights.at(point - 1).at_most(weights.at(point))
-    }
-
     /// Finds slacks, gradient and Hessian of the logarithms. Gives how much they grow since the plan before. `None` if the plan is not feasible.
     pub fn assemble(&mut self) -> Option<R> {
         self.memory.of_durations.clear();
@@ -187,7 +182,8 @@ impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
         let (bounds, state) = (self.bounds(point, axis), self.at(point, axis));
         let before = self.memory.other.states.row(point * self.axes + axis);
         let mut growth = (bounds.product(state)? / bounds.product(before)?).ln();
-        let weight = self.weight_of_point(point);
+        let weights = &self.memory.weights;
+        let weight = weights.at(point - 1).at_most(weights.at(point));
         let ([g_v, g_a], hessian) = bounds.barrier(state, weight);
         self.memory.diagonal.add(row, hessian);
         let mut gradient = [g_v, g_a, R::ZERO];

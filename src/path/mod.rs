@@ -1,6 +1,6 @@
 //! Waypoints without stops: several axes pass given points at the same times, and stop nowhere unless they must. `docs/path-theory.md` has the theory.
 //! `slack` says what a section can spare, `barrier` what the steps make small, `elimination` solves for one step, `steps` takes them. `start`, `rows`,
-//! `curve`, `from_motion` and `warm` find the plan before the first step. `moves` makes the motions of a planned path, and `deviation` says how far they
+//! `curve` and `warm` find the plan before the first step. `moves` makes the motions of a planned path, and `deviation` says how far they
 //! leave the straight lines between its points, and `contour` adds points where that is too far. `feed` limits the speed of all axes together.
 
 mod barrier;
@@ -11,7 +11,6 @@ mod curve;
 mod deviation;
 mod elimination;
 mod feed;
-mod from_motion;
 mod memory;
 mod moves;
 mod rows;
@@ -25,7 +24,6 @@ use crate::limits::Limits;
 use crate::real::Real;
 use crate::state::State;
 use chain::{Chain, Planned, Request, total};
-use rows::nearly_all;
 use steps::NewtonBudget;
 
 pub use contour::{Contour, plan_contour};
@@ -213,26 +211,5 @@ impl<R: Real> Chain<'_, '_, R> {
             self.swap_plans();
         }
         Ok(())
-    }
-
-    /// The first plan: it stops at every waypoint, or, if the path begins at rest, passes rows where this is shorter. Whether it passes any.
-    fn stop_or_pass(&mut self) -> Result<bool, Error> {
-        self.stop_everywhere()?;
-        Ok(self.sections > 1 && self.rests_at(0) && self.pass_rows_from(0, R::ONE))
-    }
-
-    /// Makes the first plan strictly feasible: the one that passes rows, made slower, or the one with stops. Whether it is.
-    fn make_feasible(&mut self, passes: bool, budget: NewtonBudget) -> Result<bool, Error> {
-        if passes && !self.swerves() {
-            self.scale_time(R::ONE / nearly_all());
-            (0..self.axes).for_each(|axis| self.set_end(self.sections, axis, R::ONE));
-            if self.is_strictly_feasible() {
-                return Ok(true);
-            }
-        }
-        if passes {
-            self.stop_everywhere()?;
-        }
-        self.make_feasible_from_stops(budget)
     }
 }
