@@ -29,6 +29,11 @@ impl<R: Real> Limits<R> {
         Self { vmax: v, vmin: -v, amax: a, amin: -a, jmax: j, jmin: -j }
     }
 
+    /// No limits. They become those of axes by [`Limits::tighten`].
+    pub(crate) fn endless() -> Self {
+        Self::symmetric(R::INFINITY, R::INFINITY, R::INFINITY)
+    }
+
     pub(crate) fn mirrored(self) -> Self {
         let Self { vmax, vmin, amax, amin, jmax, jmin } = self;
         Self { vmax: -vmin, vmin: -vmax, amax: -amin, amin: -amax, jmax: -jmin, jmin: -jmax }

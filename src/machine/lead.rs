@@ -22,7 +22,7 @@ pub(super) fn stop<R: Real>(
     let Some(first) = moves.first().filter(|_| moves.len() == limits.len()) else { return Ok(None) };
     let farther = |one: &Move<R>, other: &Move<R>| displacement(one).abs() < displacement(other).abs();
     let lead = moves.iter().fold(first, |lead, of| if farther(lead, of) { of } else { lead });
-    let mut tightest = Limits::symmetric(R::INFINITY, R::INFINITY, R::INFINITY);
+    let mut tightest = Limits::endless();
     for (of, limits) in moves.iter().zip(limits) {
         let share = displacement(of) / displacement(lead);
         // Phase 1 begins at the start too.

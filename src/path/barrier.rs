@@ -115,8 +115,7 @@ impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
     fn assemble_section(&mut self, section: usize, axis: usize) -> Option<R> {
         let duration = self.memory.plan.durations.at(section);
         let weight = self.memory.weights.at(section);
-        let limits = self.limits(section, axis).ok()?;
-        let upper = self.upper(limits, (section, axis), duration);
+        let upper = self.upper(&self.limits(section, axis), (section, axis), duration);
         let lower = upper.lower();
         let ((farthest, above), (nearest, below)) = (upper.farthest()?, lower.farthest()?);
         let slacks = [above, below];

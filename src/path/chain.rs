@@ -41,8 +41,8 @@ impl<'a, R: Real> Request<'a, R> {
         self.limits.len() > self.axes
     }
 
-    pub fn limits(&self, section: usize, axis: usize) -> Result<&'a Limits<R>, Error> {
-        self.zone(section).get(axis).ok_or(Error::Axes)
+    pub fn limits(&self, section: usize, axis: usize) -> Limits<R> {
+        self.zone(section).get(axis).copied().unwrap_or(Limits::endless())
     }
 
     /// The limits of all axes in a section.
@@ -75,7 +75,7 @@ impl<'a, R: Real> Request<'a, R> {
         limits.try_for_each(Limits::are_limits)?;
         for axis in 0..self.axes {
             let end = self.state(self.sections, axis);
-            self.limits(self.sections - 1, axis)?.check(self.state(0, axis), end)?;
+            self.limits(self.sections - 1, axis).check(self.state(0, axis), end)?;
         }
         let mut ways = self.states.iter().zip(self.states.iter().skip(self.axes));
         let is_finite = ways.all(|(from, to)| (to.position - from.position).is_finite());
@@ -91,7 +91,7 @@ impl<'a, R: Real> Request<'a, R> {
     fn admits(&self, point: usize, section: usize) -> bool {
         (0..self.axes).all(|axis| {
             let state = self.state(point, axis);
-            self.limits(section, axis).is_ok_and(|limits| limits.check(state, state).is_ok())
+            self.limits(section, axis).check(state, state).is_ok()
         })
     }
 
@@ -162,25 +162,24 @@ impl<'a, 'w, R: Real, const K: usize> Chain<'a, 'w, R, K> {
                 chain.set_bounds(point, axis);
                 chain.set_tolerance(point, axis);
             }
-            chain.start(axis)?;
+            chain.start(axis);
         }
         Ok(chain)
     }
 
     /// Makes an axis return within its limits in the first section, and sets the states of both ends.
-    fn start(&mut self, axis: usize) -> Result<(), Error> {
+    fn start(&mut self, axis: usize) {
         let target = State::at(self.positions(0, axis).1);
         let start = self.request.state(0, axis);
-        let problem = Problem::new(self.limits(0, axis)?, start, target);
+        let problem = Problem::new(&self.limits(0, axis), start, target);
         self.memory.plan.states.set(axis, [problem.border.v0, problem.border.a0]);
         self.memory.recovery_time.put(axis, problem.with_recovery(R::ZERO));
         self.memory.displacements.put(axis, problem.displacement().h);
         self.findings |= problem.outside();
         let end = self.request.state(self.request.sections, axis);
-        let last = self.request.limits(self.request.sections - 1, axis)?;
+        let last = self.request.limits(self.request.sections - 1, axis);
         self.findings |= Findings::ENDS_LEAVING.when(last.are_left_after(end));
         self.set_end(self.sections, axis, R::ONE);
-        Ok(())
     }
 
     /// Gives an axis this part of its given velocity at the start or at the end of the path, and the square of it of its acceleration.
@@ -195,7 +194,7 @@ impl<'a, 'w, R: Real, const K: usize> Chain<'a, 'w, R, K> {
         self.memory.places.at(section).to_index() as usize
     }
 
-    pub fn limits(&self, section: usize, axis: usize) -> Result<&'a Limits<R>, Error> {
+    pub fn limits(&self, section: usize, axis: usize) -> Limits<R> {
         let place = if self.request.has_zones() { self.place(section) } else { 0 };
         self.request.limits(place, axis)
     }
@@ -207,8 +206,7 @@ impl<'a, 'w, R: Real, const K: usize> Chain<'a, 'w, R, K> {
 
     fn set_bounds(&mut self, point: usize, axis: usize) {
         let places = self.place(point - 1)..self.place(point) + 1;
-        let limits = places.filter_map(|place| self.request.limits(place, axis).ok());
-        let Bounds(row) = Bounds::of(limits.copied());
+        let Bounds(row) = Bounds::of(places.map(|place| self.request.limits(place, axis)));
         self.memory.bounds.set((point - 1) * self.axes + axis, row);
     }
 
@@ -277,10 +275,7 @@ impl<'a, 'w, R: Real, const K: usize> Chain<'a, 'w, R, K> {
 
     /// Whether every axis can take `duration` for a section, with slack to both sides.
     pub fn is_possible(&self, section: usize, duration: R) -> bool {
-        (0..self.axes).all(|axis| {
-            let limits = self.limits(section, axis);
-            limits.is_ok_and(|limits| self.upper(limits, (section, axis), duration).has_slack())
-        })
+        (0..self.axes).all(|axis| self.upper(&self.limits(section, axis), (section, axis), duration).has_slack())
     }
 
     /// Whether a section can last as long as it does, with slack to both sides, and its end is strictly within the limits of its waypoint.

@@ -1,7 +1,6 @@
 //! The curve of a row of points, a cubic spline by the length of its arcs, and the limits of a motion along it.
 
 use super::chain::Chain;
-use crate::findings::Error;
 use crate::limits::Limits;
 use crate::real::Real;
 use core::ops::Range;
@@ -28,7 +27,7 @@ impl<R: Real> Chain<'_, '_, R> {
     /// infinity does not count.
     pub fn measure_axes(&mut self) {
         for axis in 0..self.axes {
-            let limits = (0..self.sections).filter_map(|section| self.limits(section, axis).ok());
+            let limits = (0..self.sections).map(|section| self.limits(section, axis));
             let least = limits.fold(R::INFINITY, |least, limits| least.at_most(limits.jmax.at_most(-limits.jmin)));
             self.memory.rows_mut().measure.put(axis, least);
         }
@@ -163,7 +162,7 @@ impl<R: Real> Chain<'_, '_, R> {
     /// Takes this share of the highest speeds along a row.
     pub fn take_share(&mut self, row: Range<usize>, share: R) {
         for section in row {
-            let speeds = (0..self.axes).filter_map(|axis| self.highest_speed(axis, section).ok());
+            let speeds = (0..self.axes).map(|axis| self.highest_speed(axis, section));
             let highest = speeds.fold(R::INFINITY, R::at_most);
             self.memory.rows_mut().highest_speed.put(section, highest);
             self.memory.rows_mut().share.put(section, share);
@@ -171,20 +170,20 @@ impl<R: Real> Chain<'_, '_, R> {
     }
 
     /// The highest speed along a section that the limits of an axis allow. Its bends take `|q''| v²` of the acceleration, and `|q'''| v³` of the jerk.
-    fn highest_speed(&self, axis: usize, section: usize) -> Result<R, Error> {
-        let limits = self.limits_by_slope(section, axis)?;
+    fn highest_speed(&self, axis: usize, section: usize) -> R {
+        let limits = self.limits_by_slope(section, axis);
         let [bend, twist] = self.bend_and_twist(section, axis);
         let most_a = for_bends(limits.amax.at_most(-limits.amin));
         let most_j = for_bends(limits.jmax.at_most(-limits.jmin));
         let speed = (limits.vmax / self.mean_slope(section, axis).abs()).at_most((most_a / bend).sqrt());
         let is_too_fast = twist * speed * speed * speed > most_j;
-        Ok(if is_too_fast { (most_j / twist).cube_root_above().at_most(speed) } else { speed })
+        if is_too_fast { (most_j / twist).cube_root_above().at_most(speed) } else { speed }
     }
 
     /// The limits of an axis in the direction in which it moves along a section.
-    fn limits_by_slope(&self, section: usize, axis: usize) -> Result<Limits<R>, Error> {
-        let limits = self.limits(section, axis)?;
-        Ok(if self.displacement(section, axis) < R::ZERO { limits.mirrored() } else { *limits })
+    fn limits_by_slope(&self, section: usize, axis: usize) -> Limits<R> {
+        let limits = self.limits(section, axis);
+        if self.displacement(section, axis) < R::ZERO { limits.mirrored() } else { limits }
     }
 
     pub fn speed(&self, section: usize) -> R {
@@ -200,15 +199,14 @@ impl<R: Real> Chain<'_, '_, R> {
         for section in sections {
             let share = self.memory.rows().share.at(section);
             for axis in 0..self.axes {
-                if let Ok(limits) = self.limits_by_slope(section, axis) {
-                    let [bend, twist] = self.bend_and_twist(section, axis);
-                    let of_a = all_but_rounding::<R>() * share * share / self.mean_slope(section, axis).abs();
-                    let of_j = share * of_a;
-                    along.amax = along.amax.at_most(of_a * left(limits.amax, bend, square));
-                    along.amin = along.amin.at_least(-of_a * left(-limits.amin, bend, square));
-                    along.jmax = along.jmax.at_most(of_j * left(limits.jmax, twist, cube));
-                    along.jmin = along.jmin.at_least(-of_j * left(-limits.jmin, twist, cube));
-                }
+                let limits = self.limits_by_slope(section, axis);
+                let [bend, twist] = self.bend_and_twist(section, axis);
+                let of_a = all_but_rounding::<R>() * share * share / self.mean_slope(section, axis).abs();
+                let of_j = share * of_a;
+                along.amax = along.amax.at_most(of_a * left(limits.amax, bend, square));
+                along.amin = along.amin.at_least(-of_a * left(-limits.amin, bend, square));
+                along.jmax = along.jmax.at_most(of_j * left(limits.jmax, twist, cube));
+                along.jmin = along.jmin.at_least(-of_j * left(-limits.jmin, twist, cube));
             }
         }
         along

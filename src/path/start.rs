@@ -26,15 +26,11 @@ impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
     pub fn shortest(&self, section: usize, least: R) -> Result<R, Error> {
         let problem = |axis| {
             let (from, to) = self.ends(section, axis);
-            self.limits(section, axis).map(|limits| Problem::new(limits, from, to))
+            Problem::new(&self.limits(section, axis), from, to)
         };
-        let slowest = (0..self.axes).try_fold(least, |slowest, axis| {
-            problem(axis).map(|problem| slowest.at_least(problem.duration(&problem.fastest())))
-        })?;
-        let next_duration = |t| {
-            let next = |axis| problem(axis).map_or(t, |problem| next_duration(&problem, t));
-            (0..self.axes).map(next).fold(t, R::at_least)
-        };
+        let fastest = (0..self.axes).map(problem).map(|problem| problem.duration(&problem.fastest()));
+        let slowest = fastest.fold(least, R::at_least);
+        let next_duration = |t| (0..self.axes).map(|axis| next_duration(&problem(axis), t)).fold(t, R::at_least);
         let any_time = Cycle::new(R::ZERO, R::ZERO)?;
         any_time.until_possible(self.axes, slowest, next_duration)
     }
@@ -140,8 +136,7 @@ impl<R: Real> Chain<'_, '_, R> {
     fn turns(&self, section: usize) -> bool {
         (0..self.axes).any(|axis| {
             let (from, to) = self.ends(section, axis);
-            let plan = |limits| Move::default().plan(limits, from, to);
-            let found = self.limits(section, axis).and_then(plan).unwrap_or_default();
+            let found = Move::default().plan(&self.limits(section, axis), from, to).unwrap_or_default();
             let ahead = (from.velocity + to.velocity) * (to.position - from.position);
             ahead > R::ZERO && found.contains(Findings::OVERSHOOTS)
         })
@@ -207,9 +202,10 @@ impl<R: Real> Chain<'_, '_, R> {
     /// Takes the states of the fastest move from start to end. If it passes the points in order, one axis has no faster path.
     #[inline(never)] // for its stack
     pub fn pass_at_once(&mut self) -> Option<()> {
-        let limits = self.limits(0, 0).ok().filter(|_| self.axes == 1 && !self.request.has_zones())?;
+        (self.axes == 1 && !self.request.has_zones()).then_some(())?;
+        let limits = self.limits(0, 0);
         let mut run = Move::default();
-        run.plan(limits, self.ends(0, 0).0, self.ends(self.sections - 1, 0).1).ok()?;
+        run.plan(&limits, self.ends(0, 0).0, self.ends(self.sections - 1, 0).1).ok()?;
         for point in 1..self.sections {
             let (_, to) = self.ends(point - 1, 0);
             let state = run.state_at(run.time_at(to.position)?);

@@ -122,8 +122,8 @@ impl<R: Real> Chain<'_, '_, R> {
             let points = 0..self.request.sections + 1;
             let farthest = points.map(|point| self.request.state(point, axis).position.abs());
             let position = of_check(farthest.fold(R::ZERO, R::at_least));
-            let limits = self.limits(0, axis).map(|limits| with_errors(limits, duration, all, [position, clock]));
-            limits.is_ok_and(|limits| self.upper(&limits, (0, axis), duration).has_slack())
+            let limits = with_errors(&self.limits(0, axis), duration, all, [position, clock]);
+            self.upper(&limits, (0, axis), duration).has_slack()
         })
     }
 }

@@ -139,8 +139,7 @@ impl<'a, R: Real + 'a> Line<R> {
         if self.reach() == R::ZERO {
             return Ok(*first.limits);
         }
-        let endless = R::INFINITY;
-        let mut tightest = Limits::symmetric(endless, endless, endless);
+        let mut tightest = Limits::endless();
         for Task { limits, from, to } in tasks {
             tightest.tighten(limits, self.share(from, to).times);
         }
@@ -202,7 +201,7 @@ pub fn line_stop<R: Real>(axes: &mut [Move<R>], limits: &[Limits<R>], x: R) -> R
     let number = |axis: &Move<R>| axis.phase.get(place).map_or(R::ZERO, |phase| derivative(phase, order));
     let share = |axis: &Move<R>| if number(&lead) == R::ZERO { R::ONE } else { number(axis) / number(&lead) };
     let now = lead.state_at(x);
-    let mut tightest = Limits::symmetric(R::INFINITY, R::INFINITY, R::INFINITY);
+    let mut tightest = Limits::endless();
     // The states at both ends are the caller's, with rounding errors of their own, so they count only where there are no others.
     let first = usize::from(lead.phases().len() > 1);
     for (axis, limits) in axes.iter().zip(limits) {
