@@ -59,7 +59,6 @@ fn along_curve<R: Real>(t: R, change: R) -> Option<R> {
 }
 
 impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
-    /// How many logarithms the barrier has.
     pub fn logarithms(&self) -> usize {
         self.axes * (2 * self.sections + 2 * K * (self.sections - 1))
     }

@@ -265,7 +265,6 @@ impl<'a, 'w, R: Real, const K: usize> Chain<'a, 'w, R, K> {
         given + (offset(end) - end.checked_sub(self.axes).map_or(R::ZERO, offset))
     }
 
-    /// The upper side of a section that lasts `duration`.
     pub fn upper(&self, limits: &Limits<R>, (section, axis): (usize, usize), duration: R) -> Side<R> {
         let ends = [self.at(section, axis), self.at(section + 1, axis)];
         let t = self.after_recovery(section, axis, duration);

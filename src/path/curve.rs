@@ -126,7 +126,6 @@ impl<R: Real> Chain<'_, '_, R> {
         }
     }
 
-    /// The length of a section along the curve.
     pub fn arc(&self, section: usize) -> R {
         self.memory.rows().arc.at(section)
     }

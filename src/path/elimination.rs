@@ -5,7 +5,6 @@
 use super::{chain::Chain, memory::Band};
 use crate::real::Real;
 
-/// Subtracts a multiple of a row from another one.
 fn subtract<R: Real>(from: &mut [R], factor: R, row: &[R]) {
     for (number, other) in from.iter_mut().zip(row) {
         *number = *number - factor * *other;

@@ -171,7 +171,6 @@ impl<'a, R: Real, const K: usize> Memory<'a, R, K> {
         if (moved - position).abs() <= tolerance { moved } else { position }
     }
 
-    /// The tables, if the memory has room for them.
     pub fn of(mut work: &'a mut [R], axes: usize, sections: usize) -> Option<Self> {
         size::<K>(axes, sections).filter(|&size| size <= work.len())?;
         let (waypoints, points) = (axes * (sections - 1), axes * (sections + 1));

@@ -70,7 +70,6 @@ impl<R: Real> Bounds<R> {
         [R::ONE - a * amax, R::ONE - a * amin, R::ONE - (v * vmax + square * down), R::ONE - (v * vmin + square * up)]
     }
 
-    /// The product of the slacks, if the state is feasible.
     pub fn product(&self, state: [R; 2]) -> Option<R> {
         let [amax, amin, vmax, vmin] = self.slacks(state);
         let is_feasible = amax > R::ZERO && amin > R::ZERO && vmax > R::ZERO && vmin > R::ZERO;

@@ -74,7 +74,6 @@ impl<R: Real> Damping<R> {
     }
 }
 
-/// What a step was.
 struct Taken<R> {
     /// The first part that was tried was taken.
     is_first: bool,
@@ -189,13 +188,11 @@ impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
         Some(Taken { is_first: false, distance: R::INFINITY })
     }
 
-    /// Keeps the plan as the other one.
     pub fn keep_plan(&mut self) {
         self.memory.other.states.copy(&self.memory.plan.states);
         self.memory.other.durations.copy(&self.memory.plan.durations);
     }
 
-    /// Takes the other plan, and keeps this one in its place.
     pub fn swap_plans(&mut self) {
         core::mem::swap(&mut self.memory.plan, &mut self.memory.other);
     }

@@ -19,7 +19,7 @@ pub fn line<R: Real>(
     let cycle = Cycle::new(duration, cycle)?;
     let tasks = checked(axes.len(), limits, from, to)?;
     let line = Line::through(tasks.clone())?;
-    let limits = line.tightest(tasks.clone())?;
+    let limits = line.tightest(tasks.clone());
     limits.check(line.from, line.to)?;
     line.check(tasks.clone())?;
     let problem = Problem::new(&limits, line.from, line.to).with_positions(line.positions);
@@ -39,9 +39,8 @@ pub fn line<R: Real>(
 /// A straight line in the space of all axes. Of the axes with a long reach, the one leads whose positions round least relative to its reach:
 /// what the lead rounds, all axes do. Its positions are counted from its end, so they have the rounding error of the displacement alone.
 struct Line<R> {
-    /// The lead at the start.
+    /// The lead at both ends.
     from: State<R>,
-    /// The lead at the end.
     to: State<R>,
     /// The sum of the magnitudes of the lead's true positions: their rounding is an ulp of it.
     positions: R,
@@ -134,18 +133,17 @@ impl<'a, R: Real + 'a> Line<R> {
     }
 
     /// The limits of the lead that keep the limits of all axes.
-    fn tightest(&self, tasks: impl Iterator<Item = Task<'a, R>> + Clone) -> Result<Limits<R>, Error> {
-        let first = tasks.clone().next().ok_or(Error::Axes)?;
-        if self.reach() == R::ZERO {
-            return Ok(*first.limits);
-        }
+    fn tightest(&self, mut tasks: impl Iterator<Item = Task<'a, R>>) -> Limits<R> {
         let mut tightest = Limits::endless();
+        if self.reach() == R::ZERO {
+            return tasks.next().map_or(tightest, |task| *task.limits);
+        }
         for Task { limits, from, to } in tasks {
             tightest.tighten(limits, self.share(from, to).times);
         }
         // Each target is within the limits of its axis, so that of the lead is too, up to rounding of the shares.
         tightest.include(self.to);
-        Ok(tightest)
+        tightest
     }
 
     /// Whether all states lie on the line, up to rounding.

@@ -81,7 +81,6 @@ pub(super) fn shortest_duration<'a, R: Real + 'a>(
     common_duration(cycle, slowest, tasks.map(|task| (task, fastest(task).unwrap_or_default())))
 }
 
-/// The fastest plan of an axis.
 #[inline(never)] // for its stack
 pub(super) fn fastest<R: Real>(task: Task<R>) -> Result<Move<R>, Error> {
     let mut axis = Move::default();

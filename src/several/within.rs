@@ -114,7 +114,6 @@ fn least_delay<'a, R: Real + 'a>(shortest: R, axes: impl Iterator<Item = Within<
     Ok((latest - shortest + of_formula(latest)) / R::from_index(1 << DOUBLINGS))
 }
 
-/// An axis between two positions.
 #[derive(Clone, Copy)]
 struct Within<'a, R> {
     task: Task<'a, R>,
