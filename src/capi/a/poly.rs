@@ -15,12 +15,12 @@ use core::slice;
 /// instruction can load.
 #[cfg(not(feature = "poly-compact"))]
 #[derive(Clone, Copy)]
-struct Place(usize);
+pub struct Place(usize);
 
 #[cfg(not(feature = "poly-compact"))]
 impl Place {
     /// The derivative of this order of a polynomial with `n` coefficients, at most 8.
-    const fn new(n: usize, order: usize) -> Self {
+    pub const fn new(n: usize, order: usize) -> Self {
         // `order` arrays stand before it, each one shorter than the array before: n + (n-1) + ….
         let first = order * n - order * order.saturating_sub(1) / 2;
         Self(first * 8 + n - order - 1)
@@ -62,22 +62,14 @@ unsafe fn evaluate_at(ctx: *const Number, place: Place, x: a_float) -> a_float {
     target::horner(c, x.into()).into()
 }
 
-/// Writes the coefficients of the derivative of order `ORDER + 1` from the coefficients of order `ORDER`; nothing for a NULL context.
+/// Writes the coefficients of the next derivative from those at this place; nothing for a NULL context.
 ///
-/// # Safety
-/// `ctx` is NULL or points to a struct that stores a polynomial with `N` coefficients, and its derivatives up to order `ORDER + 1`.
-#[cfg(not(feature = "poly-compact"))]
-#[allow(dead_code, reason = "the lowest level has no derivatives")]
-pub unsafe fn differentiate<const N: usize, const ORDER: usize>(ctx: *mut Number) {
-    // SAFETY: both functions have the same contract.
-    unsafe { differentiate_at(ctx, const { Place::new(N, ORDER) }) };
-}
-
 /// # Safety
 /// `ctx` is NULL or points to a struct that stores these coefficients and, after them, the coefficients of the derivative.
 #[cfg(not(feature = "poly-compact"))]
 #[cfg_attr(target_os = "none", inline(never))] // one copy for all polynomials
-unsafe fn differentiate_at(ctx: *mut Number, place: Place) {
+#[allow(dead_code, reason = "the lowest level has no derivatives")]
+pub unsafe fn differentiate(ctx: *mut Number, place: Place) {
     if ctx.is_null() {
         return;
     }
@@ -173,7 +165,7 @@ macro_rules! polynomial {
                 if !in_registers {
                     $(
                         #[cfg(all(not(feature = "poly-compact"), $level))]
-                        poly::differentiate::<{ $N }, { $N - $n - 1 }>(ctx.cast());
+                        poly::differentiate(ctx.cast(), const { poly::Place::new($N, $N - $n - 1) });
                     )+
                 }
             }

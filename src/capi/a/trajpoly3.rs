@@ -58,7 +58,7 @@ pub unsafe extern "C" fn a_trajpoly3_gen0(
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn a_trajpoly3_gen1(ctx: *mut a_trajpoly3) {
     // SAFETY: `ctx` is NULL or valid by the contract of this module.
-    unsafe { poly::differentiate::<4, 0>(ctx.cast()) };
+    unsafe { poly::differentiate(ctx.cast(), const { poly::Place::new(4, 0) }) };
 }
 
 /// @brief Coefficients of acceleration, from those of velocity: `a[i] = v[i+1]*(i+1)`.
@@ -66,7 +66,7 @@ pub unsafe extern "C" fn a_trajpoly3_gen1(ctx: *mut a_trajpoly3) {
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn a_trajpoly3_gen2(ctx: *mut a_trajpoly3) {
     // SAFETY: `ctx` is NULL or valid by the contract of this module.
-    unsafe { poly::differentiate::<4, 1>(ctx.cast()) };
+    unsafe { poly::differentiate(ctx.cast(), const { poly::Place::new(4, 1) }) };
 }
 
 /// @brief Copy the 4 coefficients of position out; `c0` may lie inside `ctx`.

@@ -59,7 +59,7 @@ pub unsafe extern "C" fn a_trajpoly5_gen0(
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn a_trajpoly5_gen1(ctx: *mut a_trajpoly5) {
     // SAFETY: `ctx` is NULL or valid by the contract of this module.
-    unsafe { poly::differentiate::<6, 0>(ctx.cast()) };
+    unsafe { poly::differentiate(ctx.cast(), const { poly::Place::new(6, 0) }) };
 }
 
 /// @brief Coefficients of acceleration, from those of velocity: `a[i] = v[i+1]*(i+1)`.
@@ -67,7 +67,7 @@ pub unsafe extern "C" fn a_trajpoly5_gen1(ctx: *mut a_trajpoly5) {
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn a_trajpoly5_gen2(ctx: *mut a_trajpoly5) {
     // SAFETY: `ctx` is NULL or valid by the contract of this module.
-    unsafe { poly::differentiate::<6, 1>(ctx.cast()) };
+    unsafe { poly::differentiate(ctx.cast(), const { poly::Place::new(6, 1) }) };
 }
 
 /// @brief Copy the 6 coefficients of position out; `c0` may lie inside `ctx`.

@@ -66,7 +66,7 @@ pub unsafe extern "C" fn a_trajpoly7_gen0(
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn a_trajpoly7_gen1(ctx: *mut a_trajpoly7) {
     // SAFETY: `ctx` is NULL or valid by the contract of this module.
-    unsafe { poly::differentiate::<8, 0>(ctx.cast()) };
+    unsafe { poly::differentiate(ctx.cast(), const { poly::Place::new(8, 0) }) };
 }
 
 /// @brief Coefficients of acceleration, from those of velocity: `a[i] = v[i+1]*(i+1)`.
@@ -74,7 +74,7 @@ pub unsafe extern "C" fn a_trajpoly7_gen1(ctx: *mut a_trajpoly7) {
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn a_trajpoly7_gen2(ctx: *mut a_trajpoly7) {
     // SAFETY: `ctx` is NULL or valid by the contract of this module.
-    unsafe { poly::differentiate::<8, 1>(ctx.cast()) };
+    unsafe { poly::differentiate(ctx.cast(), const { poly::Place::new(8, 1) }) };
 }
 
 /// @brief Coefficients of jerk, from those of acceleration: `j[i] = a[i+1]*(i+1)`.
@@ -82,7 +82,7 @@ pub unsafe extern "C" fn a_trajpoly7_gen2(ctx: *mut a_trajpoly7) {
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn a_trajpoly7_gen3(ctx: *mut a_trajpoly7) {
     // SAFETY: `ctx` is NULL or valid by the contract of this module.
-    unsafe { poly::differentiate::<8, 2>(ctx.cast()) };
+    unsafe { poly::differentiate(ctx.cast(), const { poly::Place::new(8, 2) }) };
 }
 
 /// @brief Copy the 8 coefficients of position out; `c0` may lie inside `ctx`.
