@@ -5,7 +5,8 @@
 //! - **Pointers.** A context is NULL or points to a struct of the type named, aligned, and not in use by another thread
 //!   for the time of the call. One interrupt and one main loop share an `atraj_axis` or an `atraj_group`. An output array
 //!   is NULL or has room for what the function writes. Nothing is kept, but by an `atraj_group` its memory, path and
-//!   positions, and by a `claraty_trapezoid` its clock, and its waypoints until the next set.
+//!   positions, by an `atraj_shaper_stream` its line, and by a `claraty_trapezoid` its clock, and its waypoints until
+//!   the next set.
 //! - **NULL** context: `gen` returns 0, a function without a result does nothing, an evaluation returns NaN, one with
 //!   an error code `CLARATY_ERR_NULL`. The originals dereference it, which is undefined, so any answer is compatible.
 //! - **Uninitialised** contexts may be passed to `gen`; what a failing `gen` does not reach keeps its old value.
