@@ -125,6 +125,26 @@ fn a_plan_ahead_follows_too() {
     }
 }
 
+/// A plan is in force for less than twice `lead` ticks. One that lasted for what was left of `lead` ended before, and the axis went on accelerating.
+#[test]
+fn a_plan_ahead_keeps_the_limits() {
+    let limits = Limits::symmetric(1200.0, 15.0, 0.6);
+    for (lead, round) in [(2, 1), (4, 3)] {
+        let mut axis = Axis::new(TICK, State::at(0.0)).expect("an axis");
+        let (mut planner, mut ticker) = axis.split();
+        for tick in 0..600 {
+            let now = ticker.tick();
+            assert!(now.velocity <= 0.6 * (1.0 + 1e-12), "{lead} ticks ahead, every {round}: {now:?}");
+            let (jerk, t) = (9.0, f64::from(tick) * TICK);
+            let signal =
+                State { position: jerk * t.powi(3) / 6.0, velocity: jerk * t * t / 2.0, acceleration: jerk * t };
+            if tick % round == 0 {
+                planner.track(&limits, signal, jerk, 0.0011, lead).expect("a plan");
+            }
+        }
+    }
+}
+
 /// In binary32 a tick's way may be less than a rounding error of the position. The axis set off again and again, at full jerk.
 #[test]
 fn an_axis_far_from_0_comes_to_rest() {

@@ -80,7 +80,8 @@ A_EXTERN int atraj_axis_stop(struct atraj_axis *ctx, const atraj_limits *limits,
  * shorter the time to the next call, the smaller the error.
  * @param signal points to the state of the signal in the last tick before the call
  * @param jerk jerk of the signal, unit/s^3; 0 if it is not known
- * @param horizon time from the takeover until the axis is to be next to the signal, s; at least `lead` ticks
+ * @param horizon time from the takeover until the axis is to be next to the signal, s; at least `lead` ticks, up to
+ * twice as many if the plan replaces one that waits
  * @param lead as for `atraj_axis_go`
  * @return as `atraj_move_track` and `atraj_axis_go`; `ATRAJ_ERR_NOT_FINITE` also if the signal leaves the range of `a_float`
  */

@@ -108,14 +108,16 @@ impl<'a, R: Real> Planner<'a, R> {
     }
 
     /// Follows a signal, by [`Move::track`], after `lead` ticks. Call it in every round of the main loop. `signal` and `jerk` are those of
-    /// the last tick. The signal is taken to go on with its jerk until the plan takes over, and for the time `horizon`, s, from then on: `lead` ticks at least. It returns
-    /// the findings and errors of [`Move::track`] and [`Planner::go`]; [`Error::NotFinite`] also if the signal leaves the range of the real type.
+    /// the last tick. The signal is taken to go on with its jerk until the plan takes over, and for the time `horizon`, s, from then on: `lead` ticks at
+    /// least, up to twice as many if the plan replaces one that waits. It returns the findings and errors of [`Move::track`] and [`Planner::go`];
+    /// [`Error::NotFinite`] also if the signal leaves the range of the real type.
     pub fn track(
         &mut self, limits: &Limits<R>, signal: State<R>, jerk: R, horizon: R, lead: u32,
     ) -> Result<Findings, Error> {
+        let leading = self.0.period * R::from_index(lead as i32);
         self.next(lead, |next, from, ahead| {
-            // A chase stops after the horizon. If the next plan came later, the axis would never get ahead.
-            let horizon = if horizon > R::ZERO { horizon.at_least(ahead) } else { horizon };
+            // Until a call within `lead` takes over. Behind its end a plan may leave the limits, and a chase, which stops there, would never get ahead.
+            let horizon = if horizon > R::ZERO { horizon.at_least(leading + (leading - ahead)) } else { horizon };
             next.track(limits, from, signal.after(ahead, jerk), jerk, horizon)
         })
     }
