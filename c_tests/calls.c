@@ -235,6 +235,9 @@ static int streams(void) {
     PROMISE(atraj_shaper_init(&shaper, ATRAJ_SHAPER_ZV, 5, 0) == 0 && atraj_shaper_size(&shaper, period) == SIZE && atraj_shaper_size(&shaper, 0) == 0);
     PROMISE(atraj_shaper_stream_init(&stream, &shaper, period, &rest, line, SIZE - 1) == ATRAJ_ERR_NULL);
     PROMISE(atraj_shaper_stream_init(&stream, &shaper, 0, &rest, line, SIZE) == ATRAJ_ERR_DURATION);
+    /* The ticks of a smoothing below 0 wrapped to no room at all, and were counted for ever. */
+    slow = shaper, slow.smoothing = -102 * period;
+    PROMISE(atraj_shaper_size(&slow, period) == 0 && atraj_shaper_stream_init(&stream, &slow, period, &rest, line, SIZE) == ATRAJ_ERR_DURATION);
     PROMISE(atraj_shaper_stream_init(&stream, &shaper, period, &rest, line, SIZE) == 0);
     PROMISE(atraj_step_stream_init(&motor, step, period, &rest) == 0 && atraj_step_stream_count(&motor) == 8);
     for (k = 1; k <= 1000; ++k) {
