@@ -68,46 +68,52 @@ pub(crate) fn fastest<R: Real>(border: &Border<R>, wanted: Displacement<R>) -> P
     }
     let direct = border.direct(beyond);
     let of_direct = shortfall(border, &direct, wanted);
-    let (motion, crossing) = crossing_after_ramp(border, &direct, wanted.h, of_direct);
-    if crossing == Crossing::Here {
-        return without_overshoot(border, motion, &direct, of_direct.lacks, wanted);
+    let mut motion = Profile::default();
+    if crossing_after_ramp(border, &mut motion, &direct, wanted.h, of_direct) == Crossing::Here {
+        without_overshoot(border, &mut motion, &direct, of_direct.lacks, wanted);
+        return motion;
     }
     let last_before_gap = motion.as_ramp();
     if shortfall(border, &last_before_gap, wanted).is_rounding() {
         return border.profile(&last_before_gap);
     }
     let after = border.after_gap();
-    let (motion, crossing) = crossing_after_ramp(border, &after, wanted.h, shortfall(border, &after, wanted));
-    let motion = if crossing == Crossing::Here { motion } else { border.profile(&after) };
+    let of_after = shortfall(border, &after, wanted);
+    if crossing_after_ramp(border, &mut motion, &after, wanted.h, of_after) != Crossing::Here {
+        motion = border.profile(&after);
+    }
     // The fastest ramp is the last one that is tried.
-    let ramps = [&after, &last_before_gap, &direct];
-    let shorter = |motion, ramp| without_overshoot(border, motion, ramp, shortfall(border, ramp, wanted).lacks, wanted);
-    ramps.into_iter().fold(motion, shorter)
+    for ramp in [&after, &last_before_gap, &direct] {
+        without_overshoot(border, &mut motion, ramp, shortfall(border, ramp, wanted).lacks, wanted);
+    }
+    motion
 }
 
-/// The first motion over `h` from the duration of a ramp on, or the last one before a gap. This duration allows one displacement only, whose shortfall
+/// Makes it the first motion over `h` from the duration of a ramp on, or the last one before a gap. This duration allows one displacement only, whose shortfall
 /// is given.
 fn crossing_after_ramp<R: Real>(
-    border: &Border<R>, ramp: &Ramp<R>, h: R, shortfall: Shortfall<R>,
-) -> (Profile<R>, Crossing) {
+    border: &Border<R>, motion: &mut Profile<R>, ramp: &Ramp<R>, h: R, shortfall: Shortfall<R>,
+) -> Crossing {
     let lacks = shortfall.lacks;
     if shortfall.is_rounding() && shortfall.tie.is_finite() {
         let fitted = if ramp.is_straight() { None } else { border.fitted(ramp, lacks) };
-        return (border.profile(&fitted.map_or(*ramp, |fitted| fitted.ramp)), Crossing::Here);
+        *motion = border.profile(&fitted.map_or(*ramp, |fitted| fitted.ramp));
+        return Crossing::Here;
     }
     let mirrored = lacks < R::ZERO;
     let axis = border.mirrored_if(mirrored);
-    let mut motion = axis.profile(&ramp.mirrored_if(mirrored));
-    split_at_0(&axis, &mut motion);
-    let crossing = go_on(&axis, &mut motion, h.negate_if(mirrored), lacks.abs());
-    (Profile { mirrored, ..motion }, crossing)
+    *motion = axis.profile(&ramp.mirrored_if(mirrored));
+    split_at_0(&axis, motion);
+    let crossing = go_on(&axis, motion, h.negate_if(mirrored), lacks.abs());
+    motion.mirrored = mirrored;
+    crossing
 }
 
-/// The motion, or the ramp, if the motion overshoots only because of rounding errors of the velocities: with a change of the velocity at the start
+/// Makes the motion the ramp, if it overshoots only because of rounding errors of the velocities: with a change of the velocity at the start
 /// by its rounding error, the ramp, whose displacement lacks `lacks` of `h`, is the motion.
 fn without_overshoot<R: Real>(
-    border: &Border<R>, motion: Profile<R>, ramp: &Ramp<R>, lacks: R, wanted: Displacement<R>,
-) -> Profile<R> {
+    border: &Border<R>, motion: &mut Profile<R>, ramp: &Ramp<R>, lacks: R, wanted: Displacement<R>,
+) {
     let sides;
     let ramps = if ramp.is_straight() {
         // The ramp grows to one side, or to the other one if its acceleration is at a limit.
@@ -121,11 +127,12 @@ fn without_overshoot<R: Real>(
         let Passed { duration, displacement } = border.passed(&ramp);
         let lacks = wanted.h - (displacement - faster * duration);
         if lacks.abs() <= border.rounding_of_displacement(duration, wanted.positions) {
-            let lasts = motion.duration(border.per_jerk.mirrored_if(motion.mirrored));
-            return if lasts > duration { border.profile(&ramp) } else { motion };
+            if motion.duration(border.per_jerk.mirrored_if(motion.mirrored)) > duration {
+                *motion = border.profile(&ramp);
+            }
+            return;
         }
     }
-    motion
 }
 
 /// The fastest motion over `h` between equal velocities without acceleration: the direct ramp has no duration.
