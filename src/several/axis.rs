@@ -28,8 +28,8 @@ impl<R: Real> Task<'_, R> {
     pub fn is_ordinary(&self, duration: R) -> bool {
         let Self { limits, from, to } = *self;
         let Limits { vmax, vmin, amax, amin, jmax, jmin } = *limits;
-        let [per_v, per_a, per_j] =
-            [(vmax, vmin), (amax, amin), (jmax, jmin)].map(|(high, low)| R::ONE / high.at_most(-low));
+        let per = |high: R, low: R| R::ONE / high.at_most(-low);
+        let (per_v, per_a, per_j) = (per(vmax, vmin), per(amax, amin), per(jmax, jmin));
         let a = from.acceleration.abs() + to.acceleration.abs();
         let v = from.velocity.abs() + to.velocity.abs() + a * a * per_j;
         let t = R::ONE + v * (per_a + per_j) + a * per_j;

@@ -119,15 +119,14 @@ impl<R: Real> Cruise<R> {
         let peak = start.ramp.peak.negate_if(start.ramp.mirrored);
         let trough = -end.ramp.peak.negate_if(end.ramp.mirrored);
         [
-            (border.a0, away, start.per_jerk.gu * start.ramp.rise),
-            (peak, R::ZERO, start.ramp.hold),
-            (peak, back, start.next_to_cruise()),
-            (R::ZERO, R::ZERO, self.c),
-            (R::ZERO, onto, end.next_to_cruise()),
-            (trough, R::ZERO, end.ramp.hold),
-            (trough, off, end.per_jerk.gu * end.ramp.rise),
+            Segment::new(border.a0, away, start.per_jerk.gu * start.ramp.rise),
+            Segment::new(peak, R::ZERO, start.ramp.hold),
+            Segment::new(peak, back, start.next_to_cruise()),
+            Segment::new(R::ZERO, R::ZERO, self.c),
+            Segment::new(R::ZERO, onto, end.next_to_cruise()),
+            Segment::new(trough, R::ZERO, end.ramp.hold),
+            Segment::new(trough, off, end.per_jerk.gu * end.ramp.rise),
         ]
-        .map(|(from, jerk, duration)| Segment { from, jerk, duration })
     }
 }
 

@@ -15,7 +15,7 @@ pub(crate) struct Cycle<R> {
 impl<R: Real> Cycle<R> {
     /// The cycle for a move that lasts at least `duration`, s.
     pub fn new(duration: R, period: R) -> Result<Self, Error> {
-        let is_time = |t: R| t >= R::ZERO && t.is_finite();
+        let is_time = |t: R| t >= R::ZERO && t < R::INFINITY;
         Error::Duration.unless(is_time(duration) && is_time(period))?;
         Ok(Self { period, earliest: duration })
     }
