@@ -330,29 +330,6 @@ impl<R: Real> Mean<R> {
     }
 }
 
-<<<<<<< ours
-=======
-impl<R: Real> Shaper<R> {
-    /// How many numbers the delay line of a [`ShaperStream`] has, with a state every `period`, s. `None` if the period is not above 0 or not finite, or
-    /// if the shaper takes more than 1,048,576 periods.
-    pub fn size(&self, period: R) -> Option<usize> {
-        self.ticks(period).map(|[ticks, means]| N * (ticks + means))
-    }
-
-    /// Of how many states the mean of its smoothing is, and how many means its impulses look back to.
-    fn ticks(&self, period: R) -> Option<[usize; 2]> {
-        let is_period = period > R::ZERO && period < R::INFINITY;
-        let last = self.impulses().fold(R::ZERO, |last, (_, delay)| last.at_least(delay));
-        // Each time, because the bytes of a shaper may be anything.
-        let is_short = |time: R| time >= R::ZERO && time / period <= R::from_index(MOST_TICKS as i32);
-        (is_period && [self.duration, self.smoothing, last].into_iter().all(is_short)).then_some(())?;
-        let smoothing = (self.smoothing / period + R::HALF).to_index();
-        let last = (last / period).to_index();
-        Some([smoothing as usize + 1, last as usize + 2])
-    }
-}
-
->>>>>>> theirs
 impl<R: Real> ShaperStream<R> {
     /// A stream that is in the state `now`, and gets a state every `period`, s. A stream in motion is taken to have had its velocity for long: so it
     /// starts later than `now` by the mean delay. [`Error::Duration`] if [`Shaper::size`] is `None`; [`Error::Axes`] if the line has fewer numbers;

@@ -45,7 +45,7 @@ impl<R: Real> Move<R> {
     /// ```
     pub fn plan(&mut self, limits: &Limits<R>, from: State<R>, to: State<R>) -> Result<Findings, Error> {
         limits.check(from, to)?;
-        let problem = Problem::new(limits, from, to);
+        let problem = Problem::new(limits, &from, &to);
         problem.write(self, &problem.fastest())?;
         Ok(problem.findings(self))
     }
@@ -64,7 +64,7 @@ impl<R: Real> Move<R> {
         let mut found = planned.plan(limits, from, to)?;
         if planned.leaves(lowest, highest, R::SIXTEENTH) {
             planned.plan_with_turns(limits, from, to, [lowest, highest])?;
-            found = Problem::new(limits, from, to).findings(&planned);
+            found = Problem::new(limits, &from, &to).findings(&planned);
         }
         *self = planned;
         Ok(found)
@@ -76,7 +76,7 @@ impl<R: Real> Move<R> {
     ) -> Result<Findings, Error> {
         let to = State { velocity, acceleration, ..from };
         limits.check(from, to)?;
-        let mut problem = Problem::new(limits, from, to);
+        let mut problem = Problem::new(limits, &from, &to);
         let (direct, end) = problem.reach();
         problem.to.position = end;
         problem.write(self, &direct)?;
@@ -99,7 +99,7 @@ impl<R: Real> Move<R> {
         let seen = Limits { vmax: limits.vmax - v, vmin: limits.vmin - v, ..*limits };
         Error::Target.unless(seen.are_limits().is_ok() && target.acceleration == R::ZERO)?;
         let seen_from = State { position: from.position - target.position, velocity: from.velocity - v, ..from };
-        let problem = Problem::new(&seen, seen_from, State::at(R::ZERO))
+        let problem = Problem::new(&seen, &seen_from, &State::at(R::ZERO))
             .with_positions(from.position.abs() + target.position.abs());
         let profile = problem.fastest();
         let travelled = v.abs() * problem.duration(&profile);

@@ -28,11 +28,11 @@ pub(crate) struct Problem<R> {
 }
 
 impl<R: Real> Problem<R> {
-    pub fn new(limits: &Limits<R>, from: State<R>, to: State<R>) -> Self {
+    pub fn new(limits: &Limits<R>, from: &State<R>, to: &State<R>) -> Self {
         let per_jerk = PerJerk::of(limits);
         let recovery = Recovery::from(limits, per_jerk, from);
         let border = recovery.border(limits, per_jerk, from, to);
-        Self { from, to, positions: from.position.abs() + to.position.abs(), recovery, border }
+        Self { from: *from, to: *to, positions: from.position.abs() + to.position.abs(), recovery, border }
     }
 
     /// The problem of an axis whose positions are counted from its end. Their rounding is an ulp of the sum of the magnitudes of the true ones.

@@ -27,8 +27,8 @@ pub(crate) struct Recovery<R> {
 
 impl<R: Real> Recovery<R> {
     /// The recovery from the state `from`. It has no duration if `from` is within them.
-    pub fn from(limits: &Limits<R>, per_jerk: PerJerk<R>, from: State<R>) -> Self {
-        let State { velocity: v, acceleration: a, .. } = from;
+    pub fn from(limits: &Limits<R>, per_jerk: PerJerk<R>, from: &State<R>) -> Self {
+        let State { velocity: v, acceleration: a, .. } = *from;
         // The velocity once the acceleration is 0.
         let v_at_a_zero = v + per_jerk.straight(a, R::ZERO);
         let Limits { vmax, vmin, amax, amin, .. } = *limits;
@@ -69,7 +69,7 @@ impl<R: Real> Recovery<R> {
     }
 
     /// The motions from the end of the recovery on.
-    pub fn border(&self, limits: &Limits<R>, per_jerk: PerJerk<R>, from: State<R>, to: State<R>) -> Border<R> {
+    pub fn border(&self, limits: &Limits<R>, per_jerk: PerJerk<R>, from: &State<R>, to: &State<R>) -> Border<R> {
         let ends = [[from.velocity, self.acceleration], [to.velocity, to.acceleration]];
         Border::new(ends, limits, per_jerk).starting_faster(self.change.velocity)
     }

@@ -138,7 +138,7 @@ impl<R: Real> Approach<'_, R> {
             planned.stay(distance);
         } else {
             let problem =
-                Problem::new(&left, distance, State::at(R::ZERO)).with_positions(R::HALF * R::HALF * positions);
+                Problem::new(&left, &distance, &State::at(R::ZERO)).with_positions(R::HALF * R::HALF * positions);
             problem.write(&mut planned, &problem.fastest()).ok()?;
         }
         let is_uniform = self.signal.acceleration == R::ZERO && self.signal.jerk == R::ZERO;

@@ -87,7 +87,7 @@ fn turn_below<R: Real>(limits: &Limits<R>, from: State<R>, highest: R) -> Option
     let State { velocity: v, acceleration: a, .. } = from;
     let after = |acceleration: R| {
         let to = State { velocity: R::ZERO, acceleration, ..from };
-        State { position: Problem::new(limits, from, to).reach().1, ..to }
+        State { position: Problem::new(limits, &from, &to).reach().1, ..to }
     };
     // The accelerations of an axis that eases its brake, and that brakes harder, all the time until it stands, and the one that leads to the lowest
     // velocity after the turn.
@@ -187,7 +187,7 @@ impl<R: Real> Move<R> {
 
     /// Goes on with the fastest ramp from one state to another one. Their positions fit it.
     fn ramp(&mut self, limits: &Limits<R>, from: State<R>, to: State<R>) -> Result<(), Error> {
-        let problem = Problem::new(limits, from, to);
+        let problem = Problem::new(limits, &from, &to);
         let mut next = Self::default();
         let (direct, _) = problem.reach();
         problem.write(&mut next, &direct)?;

@@ -171,7 +171,7 @@ impl<'a, 'w, R: Real, const K: usize> Chain<'a, 'w, R, K> {
     fn start(&mut self, axis: usize) {
         let target = State::at(self.positions(0, axis).1);
         let start = self.request.state(0, axis);
-        let problem = Problem::new(&self.limits(0, axis), start, target);
+        let problem = Problem::new(&self.limits(0, axis), &start, &target);
         self.memory.plan.states.set(axis, [problem.border.v0, problem.border.a0]);
         self.memory.recovery_time.put(axis, problem.with_recovery(R::ZERO));
         self.memory.displacements.put(axis, problem.displacement().h);

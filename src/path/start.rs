@@ -26,7 +26,7 @@ impl<R: Real, const K: usize> Chain<'_, '_, R, K> {
     pub fn shortest(&self, section: usize, least: R) -> Result<R, Error> {
         let problem = |axis| {
             let (from, to) = self.ends(section, axis);
-            Problem::new(&self.limits(section, axis), from, to)
+            Problem::new(&self.limits(section, axis), &from, &to)
         };
         let fastest = (0..self.axes).map(problem).map(|problem| problem.duration(&problem.fastest()));
         let slowest = fastest.fold(least, R::at_least);

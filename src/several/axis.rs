@@ -20,7 +20,7 @@ pub(crate) struct Task<'a, R> {
 
 impl<R: Real> Task<'_, R> {
     pub fn problem(&self) -> Problem<R> {
-        Problem::new(self.limits, *self.from, *self.to)
+        Problem::new(self.limits, self.from, self.to)
     }
 
     /// Whether the numbers of all motions that take at most `duration` longer than necessary are surely between `ε²` and `ε⁻²`, far within the range of
@@ -156,7 +156,7 @@ mod tests {
         let limits = Limits::symmetric(1.0, 9.0, 9.0);
         let from = State { position: 0.0, velocity: 1.0, acceleration: 1.0 };
         let to = State { position: 1.375, velocity: 1.75, acceleration: 1.0 };
-        let problem = Problem::new(&limits, from, to).with_positions(1e3);
+        let problem = Problem::new(&limits, &from, &to).with_positions(1e3);
         let mut axis = Move::default();
         problem.write(&mut axis, &problem.fastest()).expect("a plan");
         let after = |ulps: f64| 1.0 + ulps * f64::EPSILON;
@@ -170,7 +170,7 @@ mod tests {
     #[test]
     fn a_brake_is_shorter_by_a_rounding_error() {
         let from = State { velocity: 4.0, ..State::at(0.0) };
-        let problem = Problem::new(&Limits::symmetric(8.0, 0.125, 8.0), from, State::at(64.03125));
+        let problem = Problem::new(&Limits::symmetric(8.0, 0.125, 8.0), &from, &State::at(64.03125));
         let mut axis = Move::default();
         problem.write(&mut axis, &problem.fastest()).expect("a plan");
         let t = axis.t - 1024.0 * f64::EPSILON;
@@ -187,7 +187,7 @@ mod tests {
         let to = State::at(7.0);
         let mut fastest = Move::default();
         fastest.plan(&limits, from, to).expect("a plan");
-        let problem = Problem::new(&limits, from, to);
+        let problem = Problem::new(&limits, &from, &to);
         let of_velocity = 16.0 * (2.5 + 0.5) / fastest.t;
         let may_shift = |own: f64| problem.may_shift(&fastest, fastest.t - (own + of_velocity) * f64::EPSILON);
         assert!(may_shift(11.0) && !may_shift(24.0));
@@ -200,7 +200,7 @@ mod tests {
         let [from, to] = [-1.0 / 1024.0, 0.0].map(|position| State { velocity: 1.0, ..State::at(position) });
         let mut fastest = Move::default();
         fastest.plan(&limits, from, to).expect("a plan");
-        let problem = Problem::new(&limits, from, to).with_positions(0.0);
+        let problem = Problem::new(&limits, &from, &to).with_positions(0.0);
         let may_shift = |ulps: f64| problem.may_shift(&fastest, fastest.t * (1.0 + ulps * f64::EPSILON));
         assert!(may_shift(60.0) && !may_shift(68.0));
     }
@@ -210,7 +210,7 @@ mod tests {
     fn an_axis_that_waits_has_no_gap() {
         let limits = Limits { jmin: -1e-9, ..Limits::symmetric(1.0, 1.0, 1.0) };
         let from = State { position: 0.0, velocity: 1.0, acceleration: -0.9 };
-        let mut problem = Problem::new(&limits, from, State::at(0.0));
+        let mut problem = Problem::new(&limits, &from, &State::at(0.0));
         let mut axis = Move::default();
         let (fastest, end) = problem.reach();
         problem.to.position = end;

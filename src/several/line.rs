@@ -22,7 +22,7 @@ pub fn line<R: Real>(
     let limits = line.tightest(tasks.clone());
     limits.check(line.from, line.to)?;
     line.check(tasks.clone())?;
-    let problem = Problem::new(&limits, line.from, line.to).with_positions(line.positions);
+    let problem = Problem::new(&limits, &line.from, &line.to).with_positions(line.positions);
     let mut lead = Move::default();
     problem.write(&mut lead, &problem.fastest())?;
     let slowest = duration.at_least(lead.t);
