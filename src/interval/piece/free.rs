@@ -39,7 +39,8 @@ impl<R: Real> Free<R> {
     fn parts(&self, x: R) -> [R; 2] {
         let Profile { peak, trough, .. } = self.first;
         let fall = self.u + x;
-        [x - (trough + trough), x + (peak + peak)].map(|part| if fall > R::ZERO { part / fall } else { R::ZERO })
+        let part = |part: R| if fall > R::ZERO { part / fall } else { R::ZERO };
+        [part(x - (trough + trough)), part(x + (peak + peak))]
     }
 
     /// `(gu + 2 gd)/12`
@@ -94,7 +95,7 @@ impl<R: Real> Free<R> {
 
     pub fn profile(&self, x: R) -> Profile<R> {
         let half = R::HALF * x;
-        let [more, rest] = self.parts(x).map(|part| half * part);
-        self.first.falling_by(x, more, rest)
+        let [first, last] = self.parts(x);
+        self.first.falling_by(x, half * first, half * last)
     }
 }

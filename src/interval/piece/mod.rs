@@ -72,11 +72,11 @@ impl<R: Real> Piece<R> {
         if !(turns && rises) {
             let turning_point = in_piece!(self, piece => piece.turning_point());
             if let Some(x) = turning_point.filter(|x| *x < end) {
-                *(if rises && beyond_at(x).0 >= R::ZERO { &mut high } else { &mut low }) = x;
+                if rises && beyond_at(x).0 >= R::ZERO { high = x } else { low = x }
             }
         }
         let is_before_turn = high < end;
-        if !is_before_turn && end < R::INFINITY {
+        if !is_before_turn && end.is_finite() {
             let beyond = beyond_at(end).0;
             if beyond < R::ZERO {
                 return Err(-beyond);
