@@ -68,8 +68,9 @@ pub(crate) fn fastest<R: Real>(border: &Border<R>, wanted: Displacement<R>) -> P
     }
     let direct = border.direct(beyond);
     let of_direct = shortfall(border, &direct, wanted);
-    let mut motion = Profile::default();
-    if crossing_after_ramp(border, &mut motion, &direct, wanted.h, of_direct) == Crossing::Here {
+    let mut crossing = Crossing::Here;
+    let mut motion = crossing_after_ramp(border, &direct, wanted.h, of_direct, &mut crossing);
+    if crossing == Crossing::Here {
         without_overshoot(border, &mut motion, &direct, of_direct.lacks, wanted);
         return motion;
     }
@@ -78,8 +79,8 @@ pub(crate) fn fastest<R: Real>(border: &Border<R>, wanted: Displacement<R>) -> P
         return border.profile(&last_before_gap);
     }
     let after = border.after_gap();
-    let of_after = shortfall(border, &after, wanted);
-    if crossing_after_ramp(border, &mut motion, &after, wanted.h, of_after) != Crossing::Here {
+    motion = crossing_after_ramp(border, &after, wanted.h, shortfall(border, &after, wanted), &mut crossing);
+    if crossing != Crossing::Here {
         motion = border.profile(&after);
     }
     // The fastest ramp is the last one that is tried.
@@ -89,24 +90,24 @@ pub(crate) fn fastest<R: Real>(border: &Border<R>, wanted: Displacement<R>) -> P
     motion
 }
 
-/// Makes it the first motion over `h` from the duration of a ramp on, or the last one before a gap. This duration allows one displacement only, whose shortfall
+/// The first motion over `h` from the duration of a ramp on, or the last one before a gap: `crossing` tells. This duration allows one displacement only, whose shortfall
 /// is given.
 fn crossing_after_ramp<R: Real>(
-    border: &Border<R>, motion: &mut Profile<R>, ramp: &Ramp<R>, h: R, shortfall: Shortfall<R>,
-) -> Crossing {
+    border: &Border<R>, ramp: &Ramp<R>, h: R, shortfall: Shortfall<R>, crossing: &mut Crossing,
+) -> Profile<R> {
     let lacks = shortfall.lacks;
     if shortfall.is_rounding() && shortfall.tie.is_finite() {
         let fitted = if ramp.is_straight() { None } else { border.fitted(ramp, lacks) };
-        *motion = border.profile(&fitted.map_or(*ramp, |fitted| fitted.ramp));
-        return Crossing::Here;
+        *crossing = Crossing::Here;
+        return border.profile(&fitted.map_or(*ramp, |fitted| fitted.ramp));
     }
     let mirrored = lacks < R::ZERO;
     let axis = border.mirrored_if(mirrored);
-    *motion = axis.profile(&ramp.mirrored_if(mirrored));
-    split_at_0(&axis, motion);
-    let crossing = go_on(&axis, motion, h.negate_if(mirrored), lacks.abs());
+    let mut motion = axis.profile(&ramp.mirrored_if(mirrored));
+    split_at_0(&axis, &mut motion);
+    *crossing = go_on(&axis, &mut motion, h.negate_if(mirrored), lacks.abs());
     motion.mirrored = mirrored;
-    crossing
+    motion
 }
 
 /// Makes the motion the ramp, if it overshoots only because of rounding errors of the velocities: with a change of the velocity at the start
@@ -226,9 +227,10 @@ fn go_on<R: Real>(border: &Border<R>, motion: &mut Profile<R>, h: R, mut lacks: 
 /// The part of the border in which the acceleration stays positive, and eases more and more in the middle of the motion.
 fn easing<R: Real>(border: &Border<R>, motion: &mut Profile<R>, lacks: &mut R) -> Crossing {
     for _ in 0..EASING_PIECES {
-        let piece = Piece::of(border, motion, motion.top > R::ZERO);
+        let holds = motion.top > R::ZERO;
+        let mut piece = Piece::of(border, motion, holds);
         let (end, what) = piece.end_of_easing(border.a0);
-        let Some(beyond) = piece.go_on(motion, *lacks, end, false) else { return Crossing::Here };
+        let Some(beyond) = piece.go_on(*lacks, end, false) else { return Crossing::Here };
         *lacks = beyond;
         match what {
             Easing::HoldEnds => motion.top = R::ZERO,
@@ -262,7 +264,7 @@ fn turning<R: Real>(border: &Border<R>, motion: &mut Profile<R>, h: R, mut lacks
     if !(motion.top > R::ZERO || motion.bottom > R::ZERO) {
         let end = until_hold(border, motion);
         if end > R::ZERO {
-            let Some(beyond) = Piece::of(border, motion, false).go_on(motion, lacks, end, true) else { return };
+            let Some(beyond) = Piece::of(border, motion, false).go_on(lacks, end, true) else { return };
             lacks = beyond;
         }
     }
@@ -302,7 +304,7 @@ fn until_hold<R: Real>(border: &Border<R>, base: &Profile<R>) -> R {
 fn holding<R: Real>(border: &Border<R>, motion: &mut Profile<R>, lacks: R) {
     motion.peak = border.limits.amax;
     let end = (motion.trough - border.limits.amin).at_least(R::ZERO);
-    if let Some(lacks) = Piece::of(border, motion, true).go_on(motion, lacks, end, true) {
+    if let Some(lacks) = Piece::of(border, motion, true).go_on(lacks, end, true) {
         both_hold(border, motion, lacks);
     }
 }

@@ -45,17 +45,12 @@ impl<R: Real> Profile<R> {
         ramp.mirrored_if(self.mirrored)
     }
 
-    /// The motion that falls by `x` more. The first rise grows by `more` and the last one by `rest`, which are `x` in sum. Each number grows by
+    /// Makes it fall by `x` more. The first rise grows by `more` and the last one by `rest`, which are `x` in sum. Each number grows by
     /// itself, because a small peak after a long rise has a smaller rounding error than the rise.
-    pub fn falling_by(self, x: R, more: R, rest: R) -> Self {
-        Self {
-            first: self.first + more,
-            peak: self.peak + more,
-            fall: self.fall + x,
-            trough: self.trough - rest,
-            last: self.last + rest,
-            ..self
-        }
+    pub fn fall_by(&mut self, x: R, more: R, rest: R) {
+        (self.first, self.peak) = (self.first + more, self.peak + more);
+        self.fall = self.fall + x;
+        (self.trough, self.last) = (self.trough - rest, self.last + rest);
     }
 
     /// Duration of the motion, s. The jerks belong to the profile's axis.

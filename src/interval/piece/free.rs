@@ -5,8 +5,8 @@ use crate::interval::{border::Border, profile::Profile, ramp::PerJerk};
 use crate::real::Real;
 use crate::roots::first_zero;
 
-pub(crate) struct Free<R> {
-    first: Profile<R>,
+pub(crate) struct Free<'a, R> {
+    motion: &'a mut Profile<R>,
     per_jerk: PerJerk<R>,
     /// How far the acceleration falls in the first motion.
     u: R,
@@ -14,9 +14,9 @@ pub(crate) struct Free<R> {
     pub(super) s: R,
 }
 
-impl<R: Real> Free<R> {
-    pub fn new(border: &Border<R>, first: &Profile<R>) -> Self {
-        Self { first: *first, per_jerk: border.per_jerk, u: first.fall, s: border.slope(first) }
+impl<'a, R: Real> Free<'a, R> {
+    pub fn new(border: &Border<R>, motion: &'a mut Profile<R>) -> Self {
+        Self { per_jerk: border.per_jerk, u: motion.fall, s: border.slope(motion), motion }
     }
 
     pub fn displacement(&self, x: R) -> (R, R) {
@@ -37,7 +37,7 @@ impl<R: Real> Free<R> {
     /// What the first rise and the last one grow by, for each half of `x`: `(x - 2 trough)/(u + x)` and `(x + 2 peak)/(u + x)`. Where the
     /// acceleration changes its sign, no digits cancel in them.
     fn parts(&self, x: R) -> [R; 2] {
-        let Profile { peak, trough, .. } = self.first;
+        let Profile { peak, trough, .. } = *self.motion;
         let fall = self.u + x;
         let part = |part: R| if fall > R::ZERO { part / fall } else { R::ZERO };
         [part(x - (trough + trough)), part(x + (peak + peak))]
@@ -52,7 +52,7 @@ impl<R: Real> Free<R> {
     /// quadratic in this square. In the unit of this formula nothing is out of range.
     pub fn turning_point(&self) -> Option<R> {
         let Self { u, s, .. } = *self;
-        let r = self.first.peak + self.first.trough;
+        let r = self.motion.peak + self.motion.trough;
         let cubic = R::from(3) * self.c();
         let unit = (s.abs() / cubic).sqrt();
         let unit = u.at_least(r.abs()).at_least(unit);
@@ -79,8 +79,8 @@ impl<R: Real> Free<R> {
 
     /// The lowest trough has the square of this function: then no rise is left at the start. Of two forms, it takes the one whose terms are small.
     pub fn end_of_easing(&self, a0: R) -> (R, Easing) {
-        let Self { u, first, .. } = *self;
-        let Profile { first: rise, peak, trough, .. } = first;
+        let u = self.u;
+        let Profile { first: rise, peak, trough, .. } = *self.motion;
         let trough = trough.at_least(R::ZERO); // by rounding
         let (change, sum, remains) = if rise < u { (rise, peak + a0, trough) } else { (u, peak + trough, a0) };
         let square = remains * remains - change * sum;
@@ -93,9 +93,9 @@ impl<R: Real> Free<R> {
         }
     }
 
-    pub fn profile(&self, x: R) -> Profile<R> {
+    pub fn go_to(&mut self, x: R) {
         let half = R::HALF * x;
         let [first, last] = self.parts(x);
-        self.first.falling_by(x, half * first, half * last)
+        self.motion.fall_by(x, half * first, half * last);
     }
 }

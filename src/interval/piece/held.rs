@@ -5,8 +5,8 @@ use crate::interval::{border::Border, profile::Profile, ramp::PerJerk};
 use crate::real::Real;
 use crate::roots::first_zero;
 
-pub(crate) struct Held<R> {
-    first: Profile<R>,
+pub(crate) struct Held<'a, R> {
+    motion: &'a mut Profile<R>,
     per_jerk: PerJerk<R>,
     /// The highest acceleration.
     bu: R,
@@ -18,17 +18,17 @@ pub(crate) struct Held<R> {
     k: R,
 }
 
-impl<R: Real> Held<R> {
-    pub fn new(border: &Border<R>, first: &Profile<R>) -> Self {
-        let Profile { fall: u, trough: y, .. } = *first;
+impl<'a, R: Real> Held<'a, R> {
+    pub fn new(border: &Border<R>, motion: &'a mut Profile<R>) -> Self {
+        let Profile { fall: u, trough: y, .. } = *motion;
         let PerJerk { gu, gd } = border.per_jerk;
         Self {
-            first: *first,
             per_jerk: border.per_jerk,
             bu: border.limits.amax,
             u,
-            s: border.slope(first),
+            s: border.slope(motion),
             k: R::HALF * gd * (u - y) - gu * y,
+            motion,
         }
     }
 
@@ -64,15 +64,16 @@ impl<R: Real> Held<R> {
     }
 
     pub fn end_of_easing(&self) -> (R, Easing) {
-        let Profile { top, trough: y, .. } = self.first;
+        let Profile { top, trough: y, .. } = *self.motion;
         let product = top * self.bu / self.per_jerk.q();
         let d = y * y - product;
         if d >= R::ZERO { (product / (y + d.sqrt()), Easing::HoldEnds) } else { (y, Easing::Vanishes) }
     }
 
-    pub fn profile(&self, x: R) -> Profile<R> {
-        let Profile { top, trough: y, .. } = self.first;
+    pub fn go_to(&mut self, x: R) {
+        let Profile { top, trough: y, .. } = *self.motion;
         let longer = self.per_jerk.q() * x * (x - (y + y)) / self.bu;
-        Profile { top: (top + longer).at_least(R::ZERO), ..self.first.falling_by(x, R::ZERO, x) }
+        self.motion.top = (top + longer).at_least(R::ZERO);
+        self.motion.fall_by(x, R::ZERO, x);
     }
 }

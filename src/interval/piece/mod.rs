@@ -14,11 +14,11 @@ pub(super) use easing::Easing;
 use free::Free;
 use held::Held;
 
-pub(super) enum Piece<R> {
+pub(super) enum Piece<'a, R> {
     /// No acceleration holds.
-    Free(Free<R>),
+    Free(Free<'a, R>),
     /// The highest acceleration holds.
-    Held(Held<R>),
+    Held(Held<'a, R>),
 }
 
 /// A value that both kinds of pieces have, each by its own formula.
@@ -31,10 +31,10 @@ macro_rules! in_piece {
     };
 }
 
-impl<R: Real> Piece<R> {
-    /// The piece that begins with the motion `first`. `holds`: the highest acceleration holds in it, else none.
-    pub fn of(border: &Border<R>, first: &Profile<R>, holds: bool) -> Self {
-        if holds { Self::Held(Held::new(border, first)) } else { Self::Free(Free::new(border, first)) }
+impl<'a, R: Real> Piece<'a, R> {
+    /// The piece that begins with this motion. `holds`: the highest acceleration holds in it, else none.
+    pub fn of(border: &Border<R>, motion: &'a mut Profile<R>, holds: bool) -> Self {
+        if holds { Self::Held(Held::new(border, motion)) } else { Self::Free(Free::new(border, motion)) }
     }
 
     /// The displacement where the acceleration falls by `x` more, and its derivative with respect to `x`.
@@ -53,10 +53,10 @@ impl<R: Real> Piece<R> {
 
     /// Goes on to the motion whose displacement is `lacks` for the first time; else to the one at `end`, and returns what it lacks.
     #[inline(never)] // for its size: it is asked in several places
-    pub fn go_on(&self, motion: &mut Profile<R>, lacks: R, end: R, turns: bool) -> Option<R> {
+    pub fn go_on(&mut self, lacks: R, end: R, turns: bool) -> Option<R> {
         let crossing = self.find_crossing(lacks, end, turns);
         let x = crossing.unwrap_or(end);
-        *motion = in_piece!(self, piece => piece.profile(x));
+        in_piece!(self, piece => piece.go_to(x));
         crossing.err()
     }
 
