@@ -78,18 +78,12 @@ impl<R: Real> Move<R> {
         Scale { position: positions + velocity * self.t, velocity, acceleration: acceleration + jerk * self.t }
     }
 
-    /// Each two phases that follow each other, from the start to the end.
-    fn neighbours(&self) -> impl Iterator<Item = (&Phase<R>, &Phase<R>)> {
-        let next = self.phase.iter().skip(1);
-        self.phases().iter().zip(next)
-    }
-
     /// Whether a jerk is beyond its limit, or the acceleration makes a step though the jerk has a limit.
     fn exceeds_jerk(&self, limits: &Limits<R>, scale: &Scale<R>) -> bool {
         let few = R::DOUBT;
         let (most, least) = (limits.jmax + few * limits.jmax, limits.jmin + few * limits.jmin);
         let beyond = self.phases().iter().any(|phase| phase.jerk > most || phase.jerk < least);
-        let steps = self.neighbours().any(|(before, after)| {
+        let steps = self.neighbours(0).any(|[before, after]| {
             let step = after.acceleration - before.acceleration(before.duration);
             let jerk = if step > R::ZERO { limits.jmax } else { -limits.jmin };
             jerk.is_finite() && step.abs() > few * (scale.acceleration + jerk * self.t)
@@ -100,7 +94,7 @@ impl<R: Real> Move<R> {
     /// Whether the phases do not follow each other in time, from 0 to `t`.
     fn is_no_sequence(&self) -> bool {
         let (start, end) = (&self.phase[0], self.phase.get(self.phase_count()));
-        let follow = self.neighbours().all(|(before, after)| {
+        let follow = self.neighbours(0).all(|[before, after]| {
             let gap = after.start - (before.start + before.duration);
             // A phase of no duration would go on in a gap.
             let late = if before.duration > R::ZERO { R::DOUBT * self.t } else { R::ZERO };
@@ -115,7 +109,7 @@ impl<R: Real> Move<R> {
     /// Whether a phase begins elsewhere than the one before it leads.
     fn jumps(&self, scale: &Scale<R>) -> bool {
         let few = R::DOUBT;
-        !self.neighbours().all(|(before, after)| {
+        !self.neighbours(0).all(|[before, after]| {
             let z = before.duration;
             (after.position - before.position(z)).abs() <= few * scale.position
                 && (after.velocity - before.velocity(z)).abs() <= few * scale.velocity

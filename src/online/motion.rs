@@ -101,8 +101,7 @@ impl<R: Real> Move<R> {
         if position >= start.at_most(first) && position <= start.at_least(first) {
             return Some(R::ZERO);
         }
-        let following = self.phase.iter().skip(1);
-        for (phase, next) in self.phases().iter().zip(following) {
+        for [phase, next] in self.neighbours(0) {
             let [one, other] = phase.turns();
             let mut from = R::ZERO;
             for to in [one, other, phase.duration] {
@@ -132,16 +131,13 @@ impl<R: Real> Move<R> {
         let direction = R::ONE.copysign(to - from);
         let goes_back = |velocity: R| direction * velocity < R::ZERO;
         let beyond = R::ONE + R::DOUBT;
-        let (first, later) = self.moving();
-        let mut phase = first;
-        let turns_before = |next| {
+        let turns_between = |[phase, next]: &[Phase<R>; 2]| {
             let Phase { acceleration, jerk, duration, .. } = *phase;
-            phase = next;
             // The velocity may be lowest in the phase, if the acceleration passes 0 by more than rounding, or at its end.
             let dips = goes_back(acceleration) && direction * (beyond * acceleration + jerk * duration) > R::ZERO;
             dips || goes_back(next.velocity)
         };
-        let turns = goes_back(self.phase[0].velocity) || later.iter().any(turns_before);
+        let turns = goes_back(self.phase[0].velocity) || self.neighbours(1).any(turns_between);
         turns && self.turns_outside(from.at_most(to), from.at_least(to), self.rounding())
     }
 
@@ -158,11 +154,7 @@ impl<R: Real> Move<R> {
     pub(crate) fn turns_outside(&self, lowest: R, highest: R, leeway: R) -> bool {
         let (lowest, highest) = (lowest - leeway, highest + leeway);
         let is_outside = |position: R| position < lowest || position > highest;
-        let (first, later) = self.moving();
-        let mut phase = first;
-        later.iter().any(|next| {
-            let before = phase;
-            phase = next;
+        self.neighbours(1).any(|[before, next]| {
             let turns = |z: R| before.lasts_beyond(z) && is_outside(before.position(z));
             // An axis may also turn between two phases.
             is_outside(next.position) || before.may_turn(next) && before.turns().into_iter().any(turns)
@@ -173,22 +165,19 @@ impl<R: Real> Move<R> {
     #[inline] // a call less in each plan
     pub(crate) fn rounding(&self) -> R {
         let ends = self.phase[0].position.abs() + self.end().position.abs();
-        let (mut phase, later) = self.moving();
         let (mut way, mut highest) = (R::ZERO, R::ZERO);
-        for next in later {
+        for [phase, next] in self.neighbours(1) {
             let speed = phase.velocity.abs().at_least(next.velocity.abs());
             way = way + speed * phase.duration;
             highest = highest.at_least(speed);
-            phase = next;
         }
         (R::DOUBT + R::DOUBT) * (ends + (highest * self.t).at_most(R::from(4) * way))
     }
 
-    /// The first phase that lasts, which begins at the start up to rounding, and what follows: the other phases and the end.
-    fn moving(&self) -> (&Phase<R>, &[Phase<R>]) {
-        let [_, first, later @ ..] = &self.phase;
-        let count = self.phase_count().saturating_sub(1);
-        (first, later.get(..count).unwrap_or_default())
+    /// Each two phases that follow each other, from phase `first` to the end. Phase 1 is the first that lasts. It begins at the start up to rounding.
+    pub(super) fn neighbours(&self, first: usize) -> impl Iterator<Item = &[Phase<R>; 2]> {
+        let phases = self.phase.get(first..=self.phase_count()).unwrap_or_default();
+        phases.windows(2).filter_map(|pair| pair.try_into().ok())
     }
 
     /// Whether a written move is within the range of the real type. Its states are sums from the end, and an infinity in any term makes the sum infinite.
