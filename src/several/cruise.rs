@@ -138,7 +138,7 @@ impl<R: Real> Bracket<R> {
         let is_end = v == end;
         // If `v` is the end itself, the velocity is between it and the velocities before.
         if !is_end {
-            *(if is_high { &mut self.high } else { &mut self.low }) = v;
+            if is_high { self.high = v } else { self.low = v }
         }
         let Self { low, high, .. } = *self;
         match newton {
