@@ -31,18 +31,11 @@ impl<R: Real> Recovery<R> {
         let State { velocity: v, acceleration: a, .. } = *from;
         // The velocity once the acceleration is 0.
         let v_at_a_zero = v + per_jerk.straight(a, R::ZERO);
+        let (fastest, slowest) = (v_at_a_zero.at_least(v), v_at_a_zero.at_most(v));
         let Limits { vmax, vmin, amax, amin, .. } = *limits;
-        let is_within = a <= amax && a >= amin && v_at_a_zero.at_least(v) <= vmax && v_at_a_zero.at_most(v) >= vmin;
-        if is_within {
-            Self { acceleration: a, ..Self::default() }
-        } else {
-            Self::from_outside(limits, per_jerk, (v, a), v_at_a_zero)
+        if a <= amax && a >= amin && fastest <= vmax && slowest >= vmin {
+            return Self { acceleration: a, ..Self::default() };
         }
-    }
-
-    /// The recovery from a velocity and an acceleration that may be outside.
-    fn from_outside(limits: &Limits<R>, per_jerk: PerJerk<R>, (v, a): (R, R), v_at_a_zero: R) -> Self {
-        let Limits { vmax, vmin, amax, amin, .. } = *limits;
         let (above, below) = ((a - amax).at_least(R::ZERO), (amin - a).at_least(R::ZERO));
         // A start beyond a velocity by rounding stays there. A recovery would overshoot a target next to it.
         let rounding = of_state(v.abs() + (v_at_a_zero - v).abs());
@@ -61,10 +54,7 @@ impl<R: Real> Recovery<R> {
         };
         let ramp = far * if rises { per_jerk.gu } else { per_jerk.gd };
         let change = Change::of(a, to, ramp).hold(to, hold);
-        let starts_outside = v_at_a_zero.at_least(v) > highest
-            || v_at_a_zero.at_most(v) < lowest
-            || above > of_state(amax)
-            || below > of_state(-amin);
+        let starts_outside = fastest > highest || slowest < lowest || above > of_state(amax) || below > of_state(-amin);
         Self { acceleration: to, rises, ramp, hold, change, starts_outside }
     }
 
