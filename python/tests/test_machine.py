@@ -6,6 +6,7 @@ import pickle
 
 import numpy as np
 import pytest
+from refused import assert_refused
 
 import atraj
 
@@ -67,16 +68,7 @@ def test_a_clock_stands_at_its_ends(real):
 def test_a_clock_says_why_not():
     moves = atraj.synchronise(PLANNED, [0, 0], [0.8, -0.4])
     clock = atraj.Clock(PLANNED, moves)
-    for message, call in {
-        "needs? a reserve|need a reserve": lambda: atraj.Clock([PLANNED[0]._replace(vmax=0.1)] * 2, moves).rate(0.5, 0),
-        "^time = -1 is before the last change": lambda: clock.rate(-1.0, 0),
-        "^rate = NaN is infinite": lambda: clock.rate(0.1, math.nan),
-        "^time = inf is infinite": lambda: clock.rate(math.inf, 0),
-        "limits has 1 items, and moves 2 axes": lambda: atraj.Clock(PLANNED[:1], moves),
-        "^axis 1: limits.jmax = -1 has the wrong sign": lambda: atraj.Clock([LIMITS[0], LIMITS[0]._replace(jmax=-1)], moves),
-    }.items():
-        with pytest.raises(ValueError, match=message):
-            call()
+    assert_refused("clock", PLANNED=PLANNED, LIMITS=LIMITS, moves=moves, clock=clock)
     assert clock.position(0.3).tolist() == moves.position(0.3).tolist()
 
 
@@ -107,16 +99,7 @@ def test_shapers_add_and_smooth(real):
     smooth = shaper.smooth(0.05).add(kinds.EI, 4)
     move = real.module.Move.plan(LIMITS[0], 0, 0.5)
     assert smooth.duration == pytest.approx(0.3) and smooth.shape(move).t == pytest.approx(move.t + 0.3)
-    for bad, message in [
-        (lambda: shaper(kinds.ZV, 0), "^frequency = 0 is not a number above 0"),
-        (lambda: shaper(kinds.ZV, 5, 1), "^damping = 1 is not from 0 to below 1$"),
-        (lambda: both.add(kinds.EI2, 3), "more than 16 impulses"),
-        (lambda: shaper(7, 5), "a member of atraj.ShaperKind"),
-        (lambda: shaper.smooth(-1), "^time = -1 is not a time from 0 on$"),
-    ]:
-        with pytest.raises(ValueError, match=message):
-            bad()
-            both.add(kinds.EI2, 3).add(kinds.EI2, 3)
+    assert_refused("shaper", Shaper=shaper, both=both)
     with pytest.raises(TypeError, match="a Move or a Bell can be shaped, and this is a Trap"):
         both.shape(real.module.Trap(5, 4, -2, 0, 50))
 
@@ -141,9 +124,7 @@ def test_no_step_is_lost(real):
     back = real.module.Move.plan(LIMITS[0], 0.9, 0)
     steps.follow(back)
     assert sum(step.direction for step in steps) == -90
-    for offset, step, message in [(0, 0, "^step = 0 is not a number above 0"), (math.nan, 1, "^offset = NaN"), (0, 1e-12, "too small")]:
-        with pytest.raises(ValueError, match=message):
-            real.module.Steps(move, offset, step)
+    assert_refused("steps", Steps=real.module.Steps, move=move)
 
 
 def run(cell, ticks=10_000):
@@ -195,24 +176,7 @@ def test_a_group_says_why_not():
     cell.line(LIMITS, [1, 1])
     for _ in range(200):
         before = cell.tick()
-    for message, call in {
-        "^there is no axis": lambda: atraj.Group(0.002, []),
-        "^period = 0 is not a time above 0": lambda: atraj.Group(0, [0]),
-        "^states: ": lambda: atraj.Group(0.002, [math.nan]),
-        "have different lengths": lambda: cell.within([0], [1]),
-        "^axis 1: lowest = 1 is not below highest = 1": lambda: cell.within([0, 1], [1, 1]),
-        "^limits has 1 items, and the group 2 axes": lambda: cell.stop(LIMITS[:1]),
-        "^targets has 1 items, and the group 2 axes": lambda: cell.go(LIMITS, [1]),
-        "^axis 1: limits.jmax = -1 has the wrong sign": lambda: cell.stop([LIMITS[0], LIMITS[0]._replace(jmax=-1)]),
-        "^axis 1: end.velocity = 7 is outside": lambda: cell.go(LIMITS, [1, (1, 7)]),
-        "^lead = 0 is not a number of ticks": lambda: cell.stop(LIMITS, lead=0),
-        "^the axes are not on the path": lambda: cell.path(LIMITS, path, begun=0.3),
-        "^the path has 1 axes, and the group 2": lambda: cell.path(LIMITS, atraj.line(LIMITS[:1], [0], [1])),
-        "a reserve beyond those of the plan": lambda: cell.rate([LIMITS[0]._replace(vmax=0.1)] * 2, 1.5),
-        "do not lie on the straight line": lambda: cell.line(LIMITS, [0, 3]),
-    }.items():
-        with pytest.raises(ValueError, match=message):
-            call()
+    assert_refused("group", LIMITS=LIMITS, path=path, cell=cell)
     after = cell.tick()
     assert after[0].position > before[0].position and after[0].velocity == pytest.approx(before[0].velocity, abs=0.02)
     np.testing.assert_allclose(run(cell)[-1][:, 0], [1, 1], atol=1e-9)

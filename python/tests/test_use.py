@@ -12,6 +12,7 @@ import sys
 import numpy as np
 import pytest
 from golden import DIRECTORY
+from refused import assert_refused
 
 import atraj
 from atraj.claraty import Trajectory, Warnings
@@ -177,18 +178,8 @@ def test_bad_arrays_are_refused():
     assert array.tolist() == [7] * 4
 
 
-BAD_REQUESTS = {
-    "dt, n or out": [{}],
-    "dt must be above 0": [{"dt": 0}, {"dt": -0.1}, {"dt": math.nan}],
-    "start finite": [{"dt": 0.1, "start": math.inf}],
-    "more than 2147483647": [{"dt": 1e-300}, {"dt": 1e-9}, {"n": 2**31}],
-}
-
-
-@pytest.mark.parametrize("message, request_", [(message, bad) for message, all_bad in BAD_REQUESTS.items() for bad in all_bad])
-def test_bad_requests_are_refused(message, request_):
-    with pytest.raises(ValueError, match=message):
-        atraj.Bell(30, 10, 5, 0, 10).sample(**request_)
+def test_bad_requests_are_refused():
+    assert_refused("sample", bell=atraj.Bell(30, 10, 5, 0, 10))
 
 
 def test_extremes_and_states(real):
@@ -426,90 +417,17 @@ def test_times_of_a_path_have_any_shape_and_layout(real):
 
 
 def test_paths_say_why_not():
-    two, rest = [LIMITS] * 2, atraj.State(0)
-    for message, call in {
-        "^limits has a Limits for each axis, or for each section a list of them": lambda: atraj.path([[0, 0], [1, 1]], two),
-        "at least two points": lambda: atraj.path(two, [[0, 0]]),
-        "no axis": lambda: atraj.path([], [[], []]),
-        "limits has 1 lists, and the path 2 sections": lambda: atraj.path([two], [[0, 0], [1, 1], [2, 2]]),
-        "point 1 has 3 coordinates, and limits 2 axes": lambda: atraj.path(two, [[0, 0], [1, 1, 1]]),
-        "point 0 has 2 coordinates, and limits 1 axes": lambda: atraj.path([LIMITS], [[0, 0], [1, 1]]),
-        "point 1, axis 1: .*not a number": lambda: atraj.path(two, [[0, 0], [0, math.nan], [1, 1]]),
-        "point 2, axis 0: .*infinite": lambda: atraj.path(two, [[0, 0], [1, 1], [math.inf, 0], [1, 1]]),
-        "point 1, axis 0: only the first": lambda: atraj.path(two, [[0, 0], [rest, 0], [1, 1]]),
-        "point 0, axis 1: neither a number nor a state": lambda: atraj.path(two, [[0, "0"], [1, 1]]),
-        "axis 1: .*not a number": lambda: atraj.path(two, [[0, math.nan], [1, 1]]),
-        "axis 0: .*wrong sign": lambda: atraj.path([LIMITS._replace(jmin=1), LIMITS], [[0, 0], [1, 1]]),
-        "axis 1: .*outside the limits": lambda: atraj.path(two, [[0, 0], [1, (1, 6, 0)]]),
-        "^tolerances has a number for each axis": lambda: atraj.path(two, [[0, 0], [1, 1]], tolerances="no"),
-        "tolerances has 2 lists": lambda: atraj.path(two, [[0, 0], [1, 1], [2, 2]], tolerances=[[0, 0]] * 2),
-        "point 1 has 1 tolerances, and limits 2 axes": lambda: atraj.path(two, [[0, 0], [1, 1], [2, 2]], tolerances=[[0]]),
-        "point 1, axis 1: the tolerance": lambda: atraj.path(two, [[0, 0], [1, 1], [2, 2]], tolerances=[0, -1]),
-    }.items():
-        with pytest.raises(ValueError, match=message):
-            call()
+    assert_refused("path", LIMITS=LIMITS, two=[LIMITS] * 2, rest=atraj.State(0))
 
 
 def test_moves_say_why_not():
-    plan, state = atraj.Move.plan, atraj.State(0)
-    fast = [LIMITS, LIMITS._replace(vmax=-3)]
-    two, moves = [LIMITS] * 2, atraj.line([LIMITS] * 2, [0, 0], [10, 5])
+    two, fast = [LIMITS] * 2, [LIMITS, LIMITS._replace(vmax=-3)]
 
     def between(lowest, highest, limits=two, **times):
-        return lambda: atraj.synchronise_within(limits, [0, (9, 3)], [10, 8], lowest, highest, **times)
+        return atraj.synchronise_within(limits, [0, (9, 3)], [10, 8], lowest, highest, **times)
 
-    for message, call in {
-        r"^start.position = NaN is infinite or not a number$": lambda: plan(LIMITS, math.nan, state),
-        r"^end.acceleration = inf is infinite or not a number$": lambda: plan(LIMITS, 0, (1, 0, math.inf)),
-        r"^limits.amax = NaN is not a number$": lambda: plan(LIMITS._replace(amax=math.nan), 0, 1),
-        r"^limits.vmin = 1 has the wrong sign: it must be below 0$": lambda: plan(LIMITS._replace(vmin=1), state, state),
-        r"^limits.jmax = -30 has the wrong sign: it must be above 0$": lambda: plan(LIMITS._replace(jmax=-30), 0, 1),
-        r"^limits.amin = 0 is 0": lambda: plan(LIMITS._replace(amin=0), 0, 1),
-        r"^limits.jmax = inf and an acceleration are infinite": lambda: plan(atraj.Limits.symmetric(math.inf, math.inf, 1), 0, 1),
-        r"^end.velocity = 6 is outside the limits: it is above vmax$": lambda: plan(LIMITS, state, atraj.State(0, 6)),
-        r"^end.velocity = -6 is outside the limits: it is below vmin$": lambda: atraj.Move.reach(LIMITS, 0, -6),
-        r"^end.acceleration = 11 is outside the limits: it is above amax$": lambda: plan(LIMITS, 0, (0, 0, 11)),
-        r"^end.acceleration = -9 cannot be reached: ": lambda: plan(LIMITS, 0, (0, 5, -9)),
-        r"^target.velocity = 7 is outside the limits": lambda: atraj.Move.meet(LIMITS, 0, (0, 7)),
-        r"^horizon = 0 is not a time above 0$": lambda: atraj.Move.track(LIMITS, 0, 0, 0, 0),
-        r"^lowest = 2 is not below highest = 1$": lambda: atraj.Move.within(LIMITS, 0, 1, 2, 1),
-        r"^lowest = NaN is infinite or not a number$": lambda: atraj.Move.within(LIMITS, 0, 1, math.nan, 1),
-        r"^start.position = 0 leaves the positions from lowest = 1 to highest = 3$": lambda: atraj.Move.within(LIMITS, 0, 2, 1, 3),
-        r"^axis 1: lowest = 2 is not below highest = 1$": between([0, 2], [10, 1]),
-        r"^axis 0: highest = NaN is infinite or not a number$": between([0, 0], [math.nan, 1]),
-        r"^axis 1: end.position = 8 leaves the positions from lowest = 8.5 to highest = inf$": between([0, 8.5], [10, math.inf]),
-        r"^axis 1: the axis leaves the positions between which it has to stay$": between([0, 0], [10, 9.5]),
-        r"^axis 1: limits.vmax = -3 has the wrong sign: it must be above 0$": between([0, 0], [10, 20], fast),
-        r"^duration = -1 is not a time from 0 on$": between([0, 0], [10, 20], duration=-1),
-        r"^the lists have different lengths: limits 2, lowest 1, highest 2$": between([0], [10, 20]),
-        r"^the moves are not on one straight line$": lambda: atraj.line_stop(two, atraj.synchronise(two, [0, 0], [10, -1]), 1),
-        r"^limits has 1 items, and moves 2 axes$": lambda: atraj.line_stop([LIMITS], moves, 1),
-        r"^axis 1: limits.vmax = -3 has the wrong sign: ": lambda: atraj.line_stop(fast, moves, 1),
-        r"^cycle = -1 is not a time from 0 on$": lambda: atraj.line([LIMITS], [state], [state], cycle=-1),
-        r"^duration = inf is not a time from 0 on$": lambda: atraj.line([LIMITS], [state], [state], duration=math.inf),
-        r"^axis 1: limits.vmax = -3 has the wrong sign": lambda: atraj.synchronise(fast, [0, 0], [1, 1]),
-        "straight line": lambda: atraj.line([LIMITS] * 2, [atraj.State(0, 1), state], [state, atraj.State(1)]),
-        "no axis": lambda: atraj.synchronise([], [], []),
-        "^the lists have different lengths: limits 1, start 1, end 0$": lambda: atraj.synchronise([LIMITS], [state], []),
-        "^t = 0 takes no time$": lambda: atraj.Poly3(0, 0, 1),
-        "^v1 = inf is infinite or not a number$": lambda: atraj.Poly3(1, 0, 1, 0, math.inf),
-        "six numbers of atraj.Limits, and here are 2": lambda: plan((1, 2), state, state),
-        "a state is .*, and here are 4 numbers": lambda: plan(LIMITS, [1, 2, 3, 4], state),
-        "^ac = 4 and de = 2 have the same sign: a forward move has ac > 0 and de < 0": lambda: atraj.Trap.fastest(5, 4, 2, 0, 1),
-        "^ac = -4 and de = -2 have the same sign": lambda: atraj.Trap(5, -4, -2, 1, 0),
-        "^ac = inf is infinite: the velocity would jump$": lambda: atraj.Trap.fastest(math.inf, math.inf, -2, 0, 1),
-        "^jerk = inf and acceleration are infinite": lambda: atraj.Bell.fastest(math.inf, math.inf, 5, 0, 1),
-        "from p0 = 0 to p1 = 1, ac = -4 and de = 2 have the wrong signs$": lambda: atraj.Trap(5, -4, 2, 0, 1),
-        "^de = 0 is 0": lambda: atraj.Trap.fastest(5, 4, 0, 0, 1),
-        "^velocity = NaN is not a number$": lambda: atraj.Trap.fastest(math.nan, 4, -2, 0, 1),
-        "^acceleration = 0 is 0": lambda: atraj.Bell.fastest(30, 0, 5, 0, 1),
-        "^p1 = inf is infinite": lambda: atraj.Bell.fastest(30, 10, 5, 0, math.inf),
-        "^p1 = 2 is also p0": lambda: atraj.Bell(30, 10, 5, 2, 2),
-        "1e60": lambda: Trajectory().set(1e61, 1, 1, 1, now=0),
-        "CORRECTED or LISTING": lambda: Trajectory(2),
-    }.items():
-        with pytest.raises(ValueError, match=message):
-            call()
+    moves = atraj.line(two, [0, 0], [10, 5])
+    assert_refused("move", LIMITS=LIMITS, two=two, fast=fast, rest=atraj.State(0), moves=moves, between=between, Trajectory=Trajectory)
 
 
 def test_claraty_is_copied():
