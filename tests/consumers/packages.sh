@@ -125,37 +125,14 @@ knows_the_chips() {
 
 # Zephyr and ESP-IDF are too large for a test. A stand-in gives what their CMake files give.
 zephyr_stand_in() {
-    cat > CMakeLists.txt << END
-cmake_minimum_required(VERSION 3.20)
-project(app C)
-set(CONFIG_ATRAJ y)
-set(CONFIG_ATRAJ_FLOAT y)
-set(TOOLCHAIN_C_FLAGS -mthumb -mcpu=cortex-m4 -mfloat-abi=hard -mfpu=fpv4-sp-d16)
-add_compile_options(\${TOOLCHAIN_C_FLAGS})
-add_library(zephyr_interface INTERFACE)
-add_subdirectory($root/packaging/zephyr atraj)
-add_executable(app $example/jog.c)
-target_link_options(app PRIVATE \${TOOLCHAIN_C_FLAGS} --specs=nosys.specs)
-target_link_libraries(app zephyr_interface)
-END
     grep "cmake: packaging/zephyr$" "$root/zephyr/module.yml"
-    cmake -S . -B build -DCMAKE_SYSTEM_NAME=Generic -DCMAKE_C_COMPILER=arm-none-eabi-gcc -DCMAKE_TRY_COMPILE_TARGET_TYPE=STATIC_LIBRARY
+    cmake -S "$sources/zephyr" -B build -DROOT="$root" -DCMAKE_SYSTEM_NAME=Generic -DCMAKE_C_COMPILER=arm-none-eabi-gcc \
+        -DCMAKE_TRY_COMPILE_TARGET_TYPE=STATIC_LIBRARY
     cmake --build build
 }
 
 esp_idf_stand_in() {
-    cat > CMakeLists.txt << END
-cmake_minimum_required(VERSION 3.20)
-project(app C)
-function(idf_component_register)
-    add_library(component INTERFACE)
-    set(COMPONENT_LIB component PARENT_SCOPE)
-endfunction()
-add_subdirectory($root/packaging/esp-idf/atraj component)
-add_executable(app $sources/move.c)
-target_link_libraries(app component)
-END
-    cmake -S . -B build
+    cmake -S "$sources/esp-idf" -B build -DROOT="$root"
     cmake --build build
     prints_the_bits build/app
 }
