@@ -1,8 +1,6 @@
 //! `seeds <directory>`: the golden moves as a fuzzer's first corpus, in one subdirectory for each family, and adversarial problems in
 //! another, random problems of `Move` in a third, of several axes in a fourth, of waypoints in a fifth, and requests to an axis in a sixth.
 
-use atraj::State;
-use atraj::online::Limits;
 use oracle::bytes::{PLANNERS, PLANNERS_OF_AXES, REQUESTS, encode};
 use oracle::judge::{Kind, Problems, parts};
 use oracle::liba::Original;
@@ -62,9 +60,11 @@ fn of_requests<R: Real>(random: &mut Random) -> Vec<u8> {
     bytes
 }
 
-fn problem<R: Real>(random: &mut Random) -> (Limits<R>, State<R>, State<R>) {
+/// The numbers of a problem: its limits, its start and its target.
+fn problem<R: Real>(random: &mut Random) -> [Vec<R>; 3] {
     let limits = online::limits(random);
-    (limits, online::anywhere(random, &limits), online::inside(random, &limits))
+    let [from, to] = [online::anywhere(random, &limits), online::inside(random, &limits)];
+    [online::numbers_of(&limits).to_vec(), parts(from).to_vec(), parts(to).to_vec()]
 }
 
 /// The numbers as bytes. The first byte holds the kind above the real type.
@@ -76,10 +76,9 @@ fn with_kind<R: Real>(numbers: &[R], kind: u8) -> Vec<u8> {
 
 /// Moves with steps and shapers: the first byte holds the kind of the shaper above the real type.
 fn of_machine<R: Real>(case: u8, random: &mut Random) -> Vec<u8> {
-    let (limits, from, to) = problem::<R>(random);
+    let problem = problem::<R>(random).concat();
     let mut numbers = [0.1, 0.25, random.magnitude(-1.0, 1.0), 0.05, 0.1].map(R::of).to_vec();
-    numbers.extend(online::numbers_of(&limits));
-    numbers.extend([from, to].map(parts).concat());
+    numbers.extend(problem);
     with_kind(&numbers, case % 25)
 }
 
@@ -89,10 +88,10 @@ fn of_path<R: Real>(case: u8, random: &mut Random) -> Vec<u8> {
     let mut numbers = Vec::new();
     let mut ends = [Vec::new(), Vec::new()];
     for _ in 0..axes {
-        let (limits, from, to) = problem::<R>(random);
-        numbers.extend(online::numbers_of(&limits));
-        ends[0].extend(parts(from));
-        ends[1].extend(parts(to));
+        let [limits, from, to] = problem::<R>(random);
+        numbers.extend(limits);
+        ends[0].extend(from);
+        ends[1].extend(to);
     }
     numbers.extend(ends.concat());
     numbers.extend((0..axes * (sections - 1)).map(|_| R::of(random.between(-10.0, 10.0))));
@@ -101,9 +100,7 @@ fn of_path<R: Real>(case: u8, random: &mut Random) -> Vec<u8> {
 
 /// Problems of each planner of `Move`: the first byte holds its number above the real type.
 fn of_move<R: Real>(case: u8, random: &mut Random) -> Vec<u8> {
-    let (limits, from, to) = problem::<R>(random);
-    let mut numbers = online::numbers_of(&limits).to_vec();
-    numbers.extend([from, to].map(parts).concat());
+    let mut numbers = problem::<R>(random).concat();
     // Positions between which a move stays; the second one is no horizon for a signal, the first one often is.
     numbers.extend([R::of(0.5), R::of(50.0)]);
     with_kind(&numbers, case % PLANNERS)
@@ -114,13 +111,13 @@ fn of_axes<R: Real>(case: u8, random: &mut Random) -> Vec<u8> {
     let [planner, more] = [case % PLANNERS_OF_AXES, case / PLANNERS_OF_AXES % 3];
     let mut numbers = vec![R::ZERO, R::of(random.pick(&[0.0, 0.001]))];
     for _ in 0..=more {
-        let (limits, from, to) = problem::<R>(random);
-        numbers.extend(online::numbers_of(&limits));
-        for state in [from, to] {
-            let of = |x: R| if planner == 1 { R::ZERO } else { x };
-            numbers.extend([state.position, of(state.velocity), of(state.acceleration)]);
+        let [limits, mut from, mut to] = problem::<R>(random);
+        if planner == 1 {
+            from[1..].fill(R::ZERO);
+            to[1..].fill(R::ZERO);
         }
-        let (p0, p1) = (from.position, to.position);
+        let (p0, p1) = (from[0], to[0]);
+        numbers.extend([limits, from, to].concat());
         let (low, high) = if p0 < p1 { (p0, p1) } else { (p1, p0) };
         let margin = R::of(random.magnitude(-3.0, 2.0));
         numbers.extend([low - margin, high + margin]);

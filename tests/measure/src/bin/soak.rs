@@ -24,104 +24,71 @@ fn main() -> ExitCode {
     let number = |text: &str| text.parse::<u64>().expect("a number");
     let (first, seeds) = (number(first), number(seeds));
     let mut soaks = [soak::<f64>(what), soak::<f32>(what)];
+    let mut found = [Found::default(), Found::default()];
     let start = Instant::now();
     for seed in first..first + seeds {
-        soaks.iter_mut().for_each(|soak| soak.run(seed));
-        let [count, faults] = [0, 1].map(|k| soaks.iter().map(|soak| soak.found()[k]).sum::<u64>());
+        found = soaks.each_mut().map(|add| add(seed));
+        let [count, faults] = [0, 1].map(|k| found.iter().map(|found| found.counts[k]).sum::<u64>());
         let an_hour = count as f64 / start.elapsed().as_secs_f64() * 3600.0;
         let row = format!("{what},{first}..{},{count},{faults},{an_hour:.0}\n", seed + 1);
         fs::write(file, &row).expect("a file to write to");
         eprint!("{row}");
     }
-    for (name, soak) in ["double", "float"].iter().zip(&soaks) {
-        println!("{name}: {what} of seeds {first}..{}\n{}", first + seeds, soak.show());
+    for (name, found) in ["double", "float"].iter().zip(&found) {
+        println!("{name}: {what} of seeds {first}..{}\n{}", first + seeds, found.text);
     }
-    let is_clean = soaks.iter().map(|soak| soak.found()).all(|[count, faults]| count > 0 && faults == 0);
+    let is_clean = found.iter().all(|found| found.counts[0] > 0 && found.counts[1] == 0);
     ExitCode::from(u8::from(!is_clean))
 }
 
-/// One kind of cases in one real type, and what was found in them.
-trait Soak {
-    fn run(&mut self, seed: u64); // adds the cases of a seed
-    fn found(&self) -> [u64; 2]; // the cases so far, and those that are wrong
-    fn show(&self) -> String;
+#[derive(Default)]
+struct Found {
+    counts: [u64; 2], // the cases so far, and those that are wrong
+    text: String,
 }
 
-fn soak<R: Original>(what: &str) -> Box<dyn Soak> {
-    let judged = |of_seed| Box::new(Judged { tallies: Tallies::default(), of_seed });
+type Soak = Box<dyn FnMut(u64) -> Found>; // adds the cases of a seed
+
+fn soak<R: Original>(what: &str) -> Soak {
     match what {
-        "calls" => {
-            Box::new(Calls { report: Report::default(), of_seed: |seed| run_seed::<R>(&Ours, &R::ORIGINAL, seed) })
-        }
+        "calls" => calls::<R>(),
         "plans" => judged(|seed| Tallies::of_seed::<R>(&Fastest, Problems::of_profiles, seed, PROFILES_PER_SEED)),
         "moves" => judged(|seed| Tallies::of_seed::<R>(&Fastest, Problems::new, seed, MOVES_PER_SEED)),
         "axes" => judged(|seed| axes::of_seed::<R>(&Together, seed, SETS_PER_SEED)),
-        "paths" => Box::new(Cases { cases: 0, bad: Vec::new(), of_seed: paths_of_seed::<R> }),
-        "programs" => Box::new(Cases { cases: 0, bad: Vec::new(), of_seed: programs_of_seed::<R> }),
+        "paths" => cases(paths_of_seed::<R>),
+        "programs" => cases(programs_of_seed::<R>),
         _ => panic!("{what} does not exist: it is calls, plans, moves, axes, paths or programs"),
     }
 }
 
-struct Calls {
-    report: Report,
-    of_seed: fn(u64) -> Report,
+fn calls<R: Original>() -> Soak {
+    let mut report = Report::default();
+    Box::new(move |seed| {
+        report.add(run_seed::<R>(&Ours, &R::ORIGINAL, seed));
+        let examples = report.examples[..report.examples.len().min(10)].join("\n");
+        Found { counts: [report.calls, report.differing], text: format!("{report}\n{examples}") }
+    })
 }
 
-impl Soak for Calls {
-    fn run(&mut self, seed: u64) {
-        self.report.add((self.of_seed)(seed));
-    }
-
-    fn found(&self) -> [u64; 2] {
-        [self.report.calls, self.report.differing]
-    }
-
-    fn show(&self) -> String {
-        format!("{}\n{}", self.report, self.report.examples[..self.report.examples.len().min(10)].join("\n"))
-    }
-}
-
-struct Judged {
-    tallies: Tallies,
-    of_seed: fn(u64) -> Tallies,
-}
-
-impl Soak for Judged {
-    fn run(&mut self, seed: u64) {
-        self.tallies.add(&(self.of_seed)(seed));
-    }
-
-    fn found(&self) -> [u64; 2] {
-        let total = self.tallies.total();
-        [total.problems, total.bad()]
-    }
-
-    fn show(&self) -> String {
-        self.tallies.to_string()
-    }
-}
-
-struct Cases {
-    cases: u64,
-    bad: Vec<String>,
-    of_seed: fn(u64) -> Vec<String>,
+fn judged(of_seed: fn(u64) -> Tallies) -> Soak {
+    let mut tallies = Tallies::default();
+    Box::new(move |seed| {
+        tallies.add(&of_seed(seed));
+        let total = tallies.total();
+        Found { counts: [total.problems, total.bad()], text: tallies.to_string() }
+    })
 }
 
 const CASES_PER_SEED: u64 = 1000;
 
-impl Soak for Cases {
-    fn run(&mut self, seed: u64) {
-        self.bad.extend((self.of_seed)(seed));
-        self.cases += CASES_PER_SEED;
-    }
-
-    fn found(&self) -> [u64; 2] {
-        [self.cases, self.bad.len() as u64]
-    }
-
-    fn show(&self) -> String {
-        format!("{} of {} are bad\n{}", self.bad.len(), self.cases, self.bad.join("\n"))
-    }
+fn cases(of_seed: fn(u64) -> Vec<String>) -> Soak {
+    let (mut cases, mut bad) = (0, Vec::new());
+    Box::new(move |seed| {
+        bad.extend(of_seed(seed));
+        cases += CASES_PER_SEED;
+        let text = format!("{} of {cases} are bad\n{}", bad.len(), bad.join("\n"));
+        Found { counts: [cases, bad.len() as u64], text }
+    })
 }
 
 /// What is wrong with the paths through waypoints of a seed.
