@@ -4,11 +4,6 @@
  * Prints lines "function case number". */
 #include <math.h>
 #include <stddef.h>
-#include "a/trajbell.h"
-#include "a/trajpoly3.h"
-#include "a/trajpoly5.h"
-#include "a/trajpoly7.h"
-#include "a/trajtrap.h"
 #include "atraj.h"
 #include "golden.h"
 #include "semihost.h"

@@ -6,7 +6,6 @@
 #include <stdio.h>
 #include <string.h>
 #include "atraj.h"
-#include "atraj/move.h"
 #include "problem.h"
 
 enum { FAMILIES = 6, MOVES = 40 * FAMILIES };
@@ -169,21 +168,11 @@ static void print_evaluations(unsigned number, atraj_move const *m) {
     }
 }
 
-/* What the steps of the move tell, the shaped motion at some times, and a hold. */
 static void print_machine(unsigned number, problem const *q, atraj_move const *m) {
-    a_float stepped[5] = {0}, clocked[CLOCKED];
-    atraj_shaper shaper;
-    step_through(m, stepped);
-    pose_shaper(&shaper, number);
+    a_float results[MACHINE];
+    run_machine(number, q, m, results);
     printf("%u", number);
-    print_reals(stepped, 5);
-    for (int i = 0; i != 4; ++i) {
-        atraj_state now;
-        atraj_shaper_state(&shaper, m, (a_float)i / 3 * (m->t + shaper.t), &now);
-        print_reals((a_float const *)&now, 3);
-    }
-    run_clock(q, m, clocked);
-    print_reals(clocked, CLOCKED);
+    print_reals(results, MACHINE);
     putchar('\n');
 }
 

@@ -67,6 +67,19 @@ static inline void run_clock(const problem *q, const atraj_move *m, a_float resu
     results[7] = atraj_clock_until(&clock);
 }
 
+/* What the steps of a move tell, the shaped motion at four times, and a hold. */
+enum { STEPPED = 5, SHAPED = 4 * 3, MACHINE = STEPPED + SHAPED + CLOCKED };
+static inline void run_machine(unsigned number, const problem *q, const atraj_move *m, a_float results[MACHINE]) {
+    atraj_shaper shaper;
+    atraj_state now[4];
+    memset(results, 0, STEPPED * sizeof(*results)); /* a motor that is refused tells its answer alone */
+    step_through(m, results);
+    pose_shaper(&shaper, number);
+    for (int i = 0; i != 4; ++i) { atraj_shaper_state(&shaper, m, (a_float)i / 3 * (m->t + shaper.t), &now[i]); }
+    memcpy(results + STEPPED, now, sizeof(now));
+    run_clock(q, m, results + STEPPED + SHAPED);
+}
+
 /* Axes that move together, on a straight line, or each between two positions. */
 enum { AXES = 3 };
 enum { SYNC, LINE, SYNC_WITHIN };

@@ -1,11 +1,6 @@
 /* Replays golden rows on the target. Every number must have the original's bits, or both must be NaN. Plans that never fail, and
  * moves from any state to any state, must have the bits of the host's. */
 #include <stddef.h>
-#include "a/trajbell.h"
-#include "a/trajpoly3.h"
-#include "a/trajpoly5.h"
-#include "a/trajpoly7.h"
-#include "a/trajtrap.h"
 #include "atraj.h"
 #include "claraty/trapezoid.h"
 #include "golden.h"
@@ -155,22 +150,6 @@ static void replay_claraty(void) {
 #define EACH(e, table, next, row) \
     for (const real *e; next != ROWS(table) && (e = table[next])[0].bits == row[0].bits; ++next)
 
-static void replay_machine(const real *r, const problem *q, const atraj_move *m) {
-    unsigned const number = (unsigned)r[0].bits;
-    a_float stepped[5] = {0}, clocked[CLOCKED];
-    atraj_shaper shaper;
-    step_through(m, stepped);
-    compare("steps of move ", r, 1, 5, stepped);
-    pose_shaper(&shaper, number);
-    for (int i = 0; i != 4; ++i) {
-        atraj_state now;
-        atraj_shaper_state(&shaper, m, (a_float)i / 3 * (m->t + shaper.t), &now);
-        compare("shaped move ", r, 6 + 3 * (size_t)i, 3, (const a_float *)&now);
-    }
-    run_clock(q, m, clocked);
-    compare("held move ", r, 18, CLOCKED, clocked);
-}
-
 static size_t replay_moves(void) {
     size_t phase = 0, evaluation = 0;
     for (size_t i = 0; i != ROWS(fastest_move); ++i) {
@@ -182,7 +161,9 @@ static size_t replay_moves(void) {
         atraj_move_extremes(&m, &extremes[0], &extremes[1]);
         compare("move ", r, 14, 3, result);
         compare("move ", r, 17, 6, (const a_float *)extremes);
-        replay_machine(fastest_machine[i], &q, &m);
+        a_float machine[MACHINE];
+        run_machine((unsigned)r[0].bits, &q, &m, machine);
+        compare("steps, shaped states and hold of move ", fastest_machine[i], 1, MACHINE, machine);
         const atraj_phase *replayed = m.phase;
         EACH(e, fastest_phase, phase, r) { compare("phase of move ", e, 1, 6, (const a_float *)replayed++); }
         EACH(e, fastest_eval, evaluation, r) {

@@ -4,8 +4,6 @@
  * Prints lines "function instructions". */
 #include <math.h>
 #include <stddef.h>
-#include "a/trajbell.h"
-#include "a/trajtrap.h"
 #include "atraj.h"
 #include "problem.h"
 #include "semihost.h"
