@@ -2,11 +2,7 @@
  Tests the promises to a C program other than numbers: the layout of the structs, the prelude's names, the answers to NULL
  of the compact polynomials and to an infinite acceleration. A broken layout fails to compile; any other broken promise is printed with its line.
 */
-#include "a/trajbell.h"
-#include "a/trajpoly3.h"
-#include "a/trajpoly5.h"
-#include "a/trajpoly7.h"
-#include "a/trajtrap.h"
+#include "atraj.h"
 #include "promise.h"
 
 #define REALS(type, count) A_BUILD_ASSERT(sizeof(type) == (count) * sizeof(a_float))

@@ -2,11 +2,7 @@
  Both libraries in one program: the original under its names, ours under names that begin with x_. Plans the same moves with
  both, evaluates both, and compares every bit. The headers are ours; the original's functions have the same types.
 */
-#include "a/trajbell.h"
-#include "a/trajpoly3.h"
-#include "a/trajpoly5.h"
-#include "a/trajpoly7.h"
-#include "a/trajtrap.h"
+#include "atraj.h"
 #include <stdio.h>
 #include <string.h>
 
