@@ -1,11 +1,8 @@
 //! Do the defects stay fixed that were found on millions of cases? Each test is a defect.
 
-use atraj::axes::{improve_path, line, path_moves, path_size, synchronise, synchronise_within};
-use atraj::machine::{Clock, GroupTicker, Step, StepStream, Steps};
-use atraj::online::{Limits, Move};
-use atraj::{Bell, Boundary, Error, Findings, State, Trap};
 use support::online::{Columns, numbers_of_state, state_of as state};
-use support::{Random, Real, online, read, test_both_reals};
+use support::prelude::*;
+use support::read;
 
 /// `vmax`, `vmin`, `amax`, `amin`, `jmax` and `jmin`, and the positions, velocities and accelerations of both states.
 type Row = ([f64; 6], [f64; 3], [f64; 3]);

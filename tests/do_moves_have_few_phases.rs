@@ -1,9 +1,8 @@
 //! Do moves have few phases, and none that is shorter than a few ulps of the duration? How many axes that arrive together need the mean of
 //! two motions, which has more phases?
 
-use atraj::online::{Limits, Move, State};
 use support::online::state_of;
-use support::{Random, Real, online, test_both_reals};
+use support::prelude::*;
 
 const SETS: u32 = 20_000;
 const AXES: usize = 3;

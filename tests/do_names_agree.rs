@@ -6,15 +6,11 @@
 //! numbers with the jerk; Python's `path` also makes the motions of a path, and its `Shaper.shape` gives the shaped move as a motion.
 //! `python/tests/test_use.py` asks whether Python has its names.
 
-use atraj::machine::{
-    Axis, Clock, Group, GroupPlanner, GroupTicker, Planner, Shaper, ShaperKind, ShaperStream, Step, StepStream, Steps,
-    Tick, Ticker,
-};
-use atraj::online::{Limits, Move, Phase};
-use atraj::{Bell, Error, Extremes, Findings, Poly3, Poly5, Poly7, State, Trap, axes, claraty};
+use atraj::{axes, claraty};
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
+use support::prelude::*;
 use support::{read, root};
 
 /// What a row names, and its name in C, C++, Rust and Python; empty without one. Other profiles have the names of the double-S.

@@ -1,10 +1,9 @@
 //! Do `state`, `states` and `sample_into` give the bits of single calls, whatever the times, lengths and outputs are?
 
-use atraj::online::{Move, Phase};
-use atraj::{Bell, Boundary, Poly3, Poly5, Poly7, Trap};
 use std::array;
+use support::prelude::*;
 use support::profiles::{Profile, bell, move_borders, poly3, poly5, poly7, trap};
-use support::{Comparison, Family, Random, Real, golden, online, test_both_reals, test_each_family};
+use support::{Comparison, Family, golden, test_each_family};
 
 type Sweep<R> = (R, R, usize); // the first time, the time between two samples, and how many they are
 

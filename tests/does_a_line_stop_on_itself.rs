@@ -1,8 +1,6 @@
 //! Do axes that stop on a straight line stay on the line, within the limits of each, as fast as the lead can?
 
-use atraj::axes::line_stop;
-use atraj::online::{Error, Limits, Move, State};
-use support::{Random, Real, online, test_both_reals};
+use support::prelude::*;
 
 const LINES: usize = 10_000;
 

@@ -1,9 +1,7 @@
 //! Does a move go on after its end with the acceleration of the end, so that the state at any time is the start of another plan?
 
 use approx::assert_abs_diff_eq;
-use atraj::State;
-use atraj::online::Move;
-use support::{Random, Real, online, test_both_reals};
+use support::prelude::*;
 
 const MOVES: usize = 2_000;
 

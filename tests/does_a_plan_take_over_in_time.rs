@@ -1,10 +1,8 @@
 //! Does a plan of an axis take over in its own tick? The package `handover` asks it of every place where an interrupt may come, and
 //! `do_two_threads_share_an_axis` of two threads.
 
-use atraj::machine::Axis;
-use atraj::online::{Error, Limits, State};
 use std::thread;
-use support::online;
+use support::prelude::*;
 
 /// From the tick of its takeover on, the axis has the states of the move that is planned from there. Its halves may go to two threads.
 #[test]

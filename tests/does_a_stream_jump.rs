@@ -1,10 +1,8 @@
 //! Does a stream of states jump, leave its limits or lose a step, when it is shaped and stepped, whatever the source does?
 
-use atraj::machine::{Shaper, ShaperKind, ShaperStream, StepStream};
-use atraj::online::{Error, Limits, Move, State};
 use std::f64::consts::PI;
-use support::online::{self, numbers_of_state as numbers};
-use support::{Random, Real, test_both_reals};
+use support::online::numbers_of_state as numbers;
+use support::prelude::*;
 
 const KINDS: [ShaperKind; 5] = [ShaperKind::Zv, ShaperKind::Mzv, ShaperKind::Zvd, ShaperKind::Ei, ShaperKind::Ei2];
 

@@ -1,9 +1,7 @@
 //! Does an axis that waits for slower ones move slowly, instead of moving fast and standing still, and does it cruise at one velocity where this
 //! is possible? `tests/oracle` judges all else.
 
-use atraj::State;
-use atraj::online::{Limits, Move, Phase};
-use support::{Random, Real, online, test_both_reals};
+use support::prelude::*;
 
 const SETS: usize = 20_000;
 const MOST_AXES: usize = 6;

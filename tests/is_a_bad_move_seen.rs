@@ -1,9 +1,7 @@
 //! Does `check` see what is wrong with a move: what it exceeds, where it jumps, which phases are none?
 
-use atraj::online::{Error, Limits, Move, Phase};
-use atraj::{Bell, Boundary, Findings, State, Trap};
 use support::online::state_of;
-use support::{Random, Real, online, test_both_reals};
+use support::prelude::*;
 
 const MOVES: usize = 2_000;
 

@@ -5,12 +5,11 @@
 //! `cargo test --test is_a_corrected_motion_wrong -- --nocapture` prints the shares of wrong motions.
 
 use approx::abs_diff_eq;
-use atraj::State;
 use atraj::claraty::{EPS, Mode, Target, Trajectory, Warnings};
 use std::collections::BTreeMap;
 use support::claraty::{borders, corrected, moving, target};
+use support::prelude::*;
 use support::real::just_after;
-use support::{Random, Real};
 
 const SCRIPTS: usize = if support::BRIEF { 100_000 } else { 1_000_000 };
 

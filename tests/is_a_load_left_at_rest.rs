@@ -1,10 +1,8 @@
 //! Does a shaper leave a load at rest, as much as its published sensitivity curve says, within the limits of the move?
 
-use atraj::machine::{Shaper, ShaperKind};
-use atraj::online::{Limits, Move};
-use atraj::{Bell, Boundary, Error, State};
 use std::f64::consts::PI;
-use support::{Random, Real, online, read, test_both_reals};
+use support::prelude::*;
+use support::read;
 
 const KINDS: [ShaperKind; 5] = [ShaperKind::Zv, ShaperKind::Mzv, ShaperKind::Zvd, ShaperKind::Ei, ShaperKind::Ei2];
 type Swing = [f64; 2]; // a complex number

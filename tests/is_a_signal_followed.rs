@@ -1,9 +1,6 @@
 //! Does an axis follow a signal by `track`: how near, how smoothly, and never beyond its limits?
 
-use atraj::machine::Axis;
-use atraj::online::{Limits, Move};
-use atraj::{Findings, State};
-use support::{Random, Real, online, test_both_reals};
+use support::prelude::*;
 
 const TICK: f64 = 1e-3; // s
 

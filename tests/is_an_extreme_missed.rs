@@ -1,9 +1,8 @@
 //! Does a move reach beyond its reported extremes, or are they reported without being reached?
 
-use atraj::online::Phase;
-use atraj::{Bell, Boundary, Extremes, Poly3, Poly5, Poly7, Trap};
+use support::Family;
+use support::prelude::*;
 use support::profiles::{Profile, bell_fields, trap_fields};
-use support::{Family, Random, Real, online, test_both_reals};
 
 const MOVES: usize = 4_000;
 const SAMPLES: usize = 400;

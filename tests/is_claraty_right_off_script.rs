@@ -2,10 +2,9 @@
 
 use Mode::{Corrected, Listing};
 use approx::assert_abs_diff_eq;
-use atraj::State;
 use atraj::claraty::{EPS, Kind, LARGEST, Mode, OutOfRange, Profile, Route, Target, Trajectory, Warnings, Waypoints};
-use support::Random;
 use support::claraty::{borders, corrected, moving, target};
+use support::prelude::*;
 use support::real::just_after;
 
 const MODES: [Mode; 2] = [Corrected, Listing];

@@ -1,9 +1,7 @@
 //! Does `time_at` give the first time at which a move is at a position, and nothing if it never is there?
 
 use approx::{abs_diff_eq, assert_abs_diff_eq};
-use atraj::State;
-use atraj::online::{Limits, Move, Phase};
-use support::{Random, Real, online, test_both_reals};
+use support::prelude::*;
 
 const MOVES: usize = 4_000;
 const SAMPLES: usize = 400;

@@ -6,11 +6,10 @@
 
 use crate::judge::{Fastest, Planner, Problem, Request, Trial, Verdict};
 use crate::liba::{Case, MOMENTS, Moment, Original, Report};
-use atraj::machine::{Axis, Clock, Shaper, ShaperKind, Step, Steps};
-use atraj::online::{Error, Limits, Move, Phase};
-use atraj::{Findings, State, axes};
+use atraj::axes;
 use support::family::{MOST_ARGUMENTS, MOST_FIELDS};
-use support::{Family, Ours, Random, Real, online};
+use support::prelude::*;
+use support::{Family, Ours};
 
 pub fn compare(family: Family, bytes: &[u8]) {
     match bytes.split_first() {

@@ -1,16 +1,9 @@
 //! Are requests refused for which there is no move or no path, of one axis or of several, each with its reason, and is nothing written then?
 
-use atraj::axes::{
-    Contour, improve_path, limit_feed, line, path_deviation, path_moves, path_size, path_size_near, plan_contour,
-    plan_path, plan_path_near, synchronise, synchronise_within,
-};
-use atraj::machine::{Axis, Clock, Group, Shaper, ShaperKind, ShaperStream, Steps};
-use atraj::online::{Error, Limits, Move, State};
-use atraj::{Bell, Boundary, Findings, Poly3, Trap};
 use oracle::judge::axes::{Set, Sets};
 use oracle::judge::{Kind, Problem, Problems, Request, beyond_legal, widened};
 use support::online::PlannerOfAxes as Plan;
-use support::{Random, Real, online, test_both_reals};
+use support::prelude::*;
 
 const PROBLEMS: usize = 20_000;
 

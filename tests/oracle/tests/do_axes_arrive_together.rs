@@ -1,12 +1,11 @@
 //! Do several axes arrive together, as early as they can, or stay on a straight line, in 20,000 sets of axes per real type?
 
-use atraj::online::Move;
 use oracle::judge::axes::faults::Fault;
 use oracle::judge::axes::several::{self, Bad, Planner, Together};
 use oracle::judge::axes::{Family, Set, Sets, line, of_seed};
 use oracle::judge::{Check, Kind, Problem, Request, Tallies};
 use oracle::liba::Original;
-use support::{Random, Real, online, test_both_reals};
+use support::prelude::*;
 
 const SEEDS: u64 = if support::BRIEF { 1 } else { 4 };
 const SETS: usize = if support::BRIEF { 1_000 } else { 5_000 };

@@ -1,14 +1,12 @@
 //! Do axes that arrive together stay between their positions, and are they refused only where one of them cannot stop there, or cannot come
 //! to its target from rest there?
 
-use atraj::axes::synchronise_within;
-use atraj::online::{Error, Limits, Move, State};
 use oracle::judge::axes::several::{check_motions, time_shift};
 use oracle::judge::axes::{Set, Sets};
 use oracle::judge::inside::{approach, brake, launch, stop};
 use oracle::judge::{Plan, Problem, Scale, Trial, doubt};
 use oracle::liba::Original;
-use support::{Random, Real, online, test_both_reals};
+use support::prelude::*;
 
 const SETS: usize = 20_000;
 

@@ -1,11 +1,9 @@
 //! Do loops that plan at every tick arrive when their first plan said, and is every state of their own motion accepted? `LOOPS=20000` runs as many
 //! of each family. An axis that is late by a rounding before a target in motion has a detour before it: it turns and comes again.
 
-use atraj::Findings;
-use atraj::online::{Limits, Move, State};
 use oracle::judge::axes::loops::{AtZero, Family, Loops, Outcome, Set, Way, run};
 use support::online::{numbers_of_state, state_of};
-use support::{Random, Real, online, test_both_reals};
+use support::prelude::*;
 
 const LOOPS: u64 = 420; // loops of each family
 const ONE_LATE_OF: u64 = 1000; // one loop in so many may be late by more than two ticks: of 2,000, up to 2 are

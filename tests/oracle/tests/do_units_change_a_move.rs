@@ -4,12 +4,9 @@
 
 use Field::{Of, Time};
 use approx::assert_abs_diff_eq;
-use atraj::axes::{line, line_stop, synchronise};
-use atraj::online::{Limits, Move, Phase};
-use atraj::{Bell, Boundary, Error, Findings, State, Trap};
 use support::online::{limits_of, numbers_of};
+use support::prelude::*;
 use support::profiles::{bell, bell_fields, trap, trap_fields};
-use support::{Random, online};
 
 const TOLERANCE: f64 = 1e-9; // relative to the largest number that a value is computed from
 

@@ -1,8 +1,7 @@
 //! Does a group keep its limits, its line and its path, and do its answers hold, whatever the main loop plans, at whatever tick?
 
-use atraj::online::{Error, Limits, Move, State};
 use oracle::judge::group::{CALLS, Counts, program};
-use support::{Random, Real, online, test_both_reals};
+use support::prelude::*;
 
 const PERIOD: f64 = 1.0 / 64.0; // of a tick, s
 const PROGRAMS: usize = if support::BRIEF { 800 } else { 4_000 };

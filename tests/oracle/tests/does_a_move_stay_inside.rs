@@ -1,13 +1,10 @@
 //! Does a move that is planned between two positions stay between them, is it the fastest one that does, and is it refused only where none does?
 
-use atraj::Findings;
-use atraj::axes::synchronise_within;
-use atraj::online::{Error, Limits, Move, State};
 use oracle::judge::inside::{Viable, approach, backwards, brake, launch, span, stop};
 use oracle::judge::{Plan, Problem, Problems, Request, Scale, doubt};
 use oracle::liba::Original;
 use support::online::{allowed, largest, state_of, tried};
-use support::{Random, test_both_reals};
+use support::prelude::*;
 
 const PROBLEMS: usize = 60_000;
 

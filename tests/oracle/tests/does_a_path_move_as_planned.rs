@@ -1,10 +1,7 @@
 //! Are the motions of a path those of its sections, and is the bound of their deviation from the straight lines right and close?
 
-use atraj::State;
-use atraj::axes::{path_deviation, path_moves, synchronise};
-use atraj::online::{Error, Move, Phase};
 use oracle::judge::path::{Chain, Chains, Path, Paths, Planner, distance};
-use support::{Random, Real, online, test_both_reals};
+use support::prelude::*;
 
 const PATHS: usize = if support::BRIEF { 100 } else { 1_000 };
 

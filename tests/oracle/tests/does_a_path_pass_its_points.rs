@@ -1,8 +1,5 @@
 //! Does a path pass its waypoints within all limits, in the promised durations, and never later than with stops, in 2,000 paths per real type?
 
-use atraj::State;
-use atraj::axes::{path_size, synchronise};
-use atraj::online::{Error, Limits, Move};
 use oracle::judge::path::faults::Fault;
 use oracle::judge::path::{
     Chain, Chains, Family, Path, Paths, Planner, check_near, judge, judge_near, promised, stopping,
@@ -10,7 +7,7 @@ use oracle::judge::path::{
 use oracle::liba::Original;
 use std::collections::BTreeMap;
 use support::online::state_of;
-use support::{Random, Real, online, test_both_reals};
+use support::prelude::*;
 
 const PATHS: usize = if support::BRIEF { 200 } else { 2_000 };
 

@@ -1,13 +1,10 @@
 //! Does a contour stay within its tolerance of the lines between the given points, in its room, within all limits and its feed?
 
-use atraj::State;
-use atraj::axes::{limit_feed, path_deviation};
-use atraj::online::{Error, Limits, Move};
 use oracle::judge::Check;
 use oracle::judge::path::contour::{Planned, contour};
 use oracle::judge::path::{Chain, Chains, Family, Paths, Planner, check, distance};
 use oracle::liba::Original;
-use support::{Random, Real, online, test_both_reals};
+use support::prelude::*;
 
 const PATHS: usize = if support::BRIEF { 100 } else { 1_000 };
 

@@ -1,12 +1,9 @@
 //! Does every plan, of one axis or of several, pass the check that reads its phases alone, and has it the findings of the plan?
 
-use atraj::Findings;
-use atraj::axes::{line, synchronise};
-use atraj::online::{Limits, Move};
 use oracle::judge::axes::Sets;
 use oracle::judge::{Fastest, Planner, Problems};
 use support::online::{PlannerOfAxes, allowed};
-use support::{Real, test_both_reals};
+use support::prelude::*;
 
 const PROBLEMS: usize = if support::BRIEF { 20_000 } else { 100_000 };
 const SETS: usize = if support::BRIEF { 1_000 } else { 4_000 };

@@ -1,10 +1,7 @@
 //! Do axes that hold, slow down, speed up or go back along their path stay on the path, within their limits, without a jump?
 
-use atraj::Findings;
-use atraj::machine::Clock;
-use atraj::online::{Error, Limits, Move, State};
 use oracle::judge::group::follows;
-use support::{Random, Real, online, test_both_reals};
+use support::prelude::*;
 
 /// Each path has three changes of its rate, so there are 50,001 per real type.
 const PATHS: usize = if support::BRIEF { 3_334 } else { 16_667 };

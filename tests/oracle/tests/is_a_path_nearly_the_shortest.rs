@@ -1,13 +1,10 @@
 //! Is a path nearly the shortest: next to rsruckig's, to long runs from random starts, to moves, and after improvements?
 
-use atraj::axes::limit_feed;
-use atraj::online::Limits;
-use atraj::{Findings, State};
 use oracle::judge::path::{Chain, Chains, Family, Path, Paths, Planner, check, example_of_ruckig, under_way, windows};
 use oracle::judge::rivals::{path_fits_ruckig, ruckig_path};
 use oracle::liba::Original;
 use support::online::{limits_of, state_of};
-use support::{Random, Real, online, test_both_reals};
+use support::prelude::*;
 
 fn duration<R: Real>(chain: &Chain<R>, steps: u32) -> f64 {
     Paths.plan(chain, steps).expect("a plan").0.duration()

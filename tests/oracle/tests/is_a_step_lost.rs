@@ -1,9 +1,7 @@
 //! Is a step of a motor lost, doubled, late or early, in moves with reversals? A search in 80 bits answers.
 
-use atraj::machine::{Step, Steps};
-use atraj::online::Move;
 use oracle::judge::steps::{all, wrong};
-use support::{Random, Real, online, test_both_reals};
+use support::prelude::*;
 
 const MOVES: usize = if support::BRIEF { 10_000 } else { 100_000 };
 

@@ -1,12 +1,11 @@
 //! Is the reference solver right? Its motions are possible, and no motion is faster: neither a random one nor one of rsruckig. A bisection of
 //! the peak velocity, which knows no border, finds the same durations of motions without acceleration at their ends.
 
-use atraj::online::{Limits, Move, Phase, State};
 use oracle::judge::rivals::Theirs;
 use oracle::judge::solver::Walk;
 use oracle::judge::{Fastest, Kind, Problem, Problems, Request, Trial, Verdict, beyond_legal, widened};
-use support::Random;
 use support::online::state_of;
+use support::prelude::*;
 
 const MOTIONS: u32 = 100_000;
 const PROBLEMS: usize = 200_000;

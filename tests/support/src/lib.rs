@@ -9,6 +9,7 @@ pub mod golden;
 pub mod implementation;
 pub mod online;
 pub mod ours;
+pub mod prelude;
 pub mod profiles;
 pub mod random;
 pub mod real;

@@ -5,14 +5,13 @@
 //! `contour FILE SCALE JERK ACCELERATION VELOCITY TOLERANCE` plans the contour of the points of a file, two numbers each, times SCALE: with
 //! this velocity of each axis, and with this feed.
 
-use atraj::axes::{limit_feed, path_deviation};
-use atraj::online::{Error, Limits, Move};
 use oracle::judge::path::contour::contour;
 use oracle::judge::path::{Chain, Paths, Planner, stopping};
 use std::f64::consts::PI;
 use std::path::Path;
 use std::time::Instant;
 use std::{env, fs};
+use support::prelude::*;
 
 type Point = [f64; 2]; // a point, mm
 type Axes = [Limits<f64>; 2]; // mm/s³, mm/s², mm/s

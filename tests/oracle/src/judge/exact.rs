@@ -5,11 +5,9 @@ use super::axes::Sets;
 use super::axes::several::{Planner as _, Together};
 use super::{Fastest, Plan, Planner, Problem, Problems, Request, Scale, parts, widened};
 use crate::liba::Original;
-use atraj::Findings;
-use atraj::online::{Limits, Move, Phase};
 use dashu_float::FBig;
 use std::fmt::{Display, Formatter, Result as Written};
-use support::Real;
+use support::prelude::*;
 
 type Exact = FBig;
 const BITS_OF_A_ROOT: usize = 500;

@@ -1,9 +1,8 @@
 //! Faults planted into the planners, each as small as a fault can be. They show whether the judge sees a fault.
 
 use super::{Fastest, OF_A_MOVE, Plan, Planner, Problem, Profile, Request, Scale};
-use atraj::Findings;
-use atraj::online::{Error, Limits, Move, Phase};
-use support::{Family, Real};
+use support::Family;
+use support::prelude::*;
 
 listed! {
     pub enum Fault {

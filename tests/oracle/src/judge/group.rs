@@ -1,8 +1,6 @@
 //! A random program of calls to a group, and what is wrong with its ticks and its answers.
 
-use atraj::machine::{Group, GroupPlanner, GroupTicker, StepStream, Tick};
-use atraj::online::{Error, Limits, Move, State};
-use support::{Random, Real, online};
+use support::prelude::*;
 
 pub const CALLS: usize = 16; // of a program, before its path
 const PLANNED: f64 = 0.8; // the limits of a plan that leaves the clock a reserve

@@ -1,9 +1,8 @@
 //! The positions that an axis cannot avoid: those of its motion, of its fastest stop and of its fastest motion from rest to the target.
 
 use super::solver::Walk;
-use atraj::online::{Limits, Move, State};
-use support::Real;
 use support::online::{mirrored, mirrored_limits, numbers_of_state};
+use support::prelude::*;
 
 /// The lowest and the highest position of a move that begins in this state, by integration of its phases.
 pub fn span<R: Real>(from: State<R>, planned: &Move<R>) -> [f64; 2] {

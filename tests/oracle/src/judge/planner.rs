@@ -1,10 +1,9 @@
 //! The planners under test: of a double-S, of a trapezoid and of a `Move`. The judge sees every plan as phases.
 
 use super::{Problem, Request};
-use atraj::online::{Error, Move, Phase};
-use atraj::{Bell, Boundary, Findings, Trap};
+use support::prelude::*;
 use support::profiles::{bell, bell_fields, trap, trap_fields};
-use support::{Family, Implementation, Ours, Real};
+use support::{Family, Implementation, Ours};
 
 pub trait Planner<R> {
     fn plan(&self, problem: &Problem<R>) -> Result<Plan<R>, Error>; // the planned motion

@@ -3,10 +3,8 @@
 use super::path::Chain;
 use super::{Problem, Request, Trial, Verdict, parts, tolerance, widened};
 use crate::liba::Original;
-use atraj::State;
-use atraj::online::Limits;
 use rsruckig::prelude::*;
-use support::Real;
+use support::prelude::*;
 
 const ACCURACY: f64 = 1e-8; // how far off its target a motion of rsruckig may end
 

@@ -1,9 +1,7 @@
 //! The reference solver, which is in C because Rust has no `long double`: `c/solver.c`.
 
 use super::{Problem, Request, parts, widened};
-use atraj::State;
-use atraj::online::Move;
-use support::Real;
+use support::prelude::*;
 
 #[derive(Clone, Copy, Debug)]
 pub struct Motion {

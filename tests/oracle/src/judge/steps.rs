@@ -1,9 +1,7 @@
 //! What is wrong with the steps of a motor, in 80 bits: `c/steps.c`.
 
-use atraj::machine::{Step, Steps};
-use atraj::online::Move;
-use support::Real;
 use support::online::{largest, numbers_of_phase};
+use support::prelude::*;
 
 unsafe extern "C" {
     fn steps_wrong(

@@ -5,10 +5,8 @@ use super::exact::Misses;
 use super::solver::{Best, Grid, Knot, Motion, Walk};
 use super::{Kind, Plan, Planner, Problem, Request};
 use crate::liba::Original;
-use atraj::Findings;
-use atraj::online::{Error, Limits, Move};
 use support::online::numbers_of_phase;
-use support::{Random, Real};
+use support::prelude::*;
 
 pub const OF_A_MOVE: [Findings; 3] = [Findings::OVERSHOOTS, Findings::STARTS_OUTSIDE, Findings::ENDS_LEAVING];
 

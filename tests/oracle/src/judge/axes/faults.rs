@@ -2,11 +2,8 @@
 
 use super::Set;
 use super::several::{Planner, Together};
-use atraj::Findings;
-use atraj::axes::synchronise;
-use atraj::online::{Error, Limits, Move, Phase, State};
-use support::Real;
 use support::online::tried;
+use support::prelude::*;
 
 listed! {
     pub enum Fault {

@@ -4,9 +4,7 @@ use super::Set;
 use super::several::{Bad, Planner, Timing, plan_of, scale_of_a_shift, scale_of_short_ramps, time_shift, wrong};
 use crate::judge::{Check, Problem, Scale, Trial, Verdict, doubt, parts, widened};
 use crate::liba::Original;
-use atraj::Findings;
-use atraj::online::Move;
-use support::{Random, Real};
+use support::prelude::*;
 
 /// The shares of the axes in the longest way, and the axis that goes it. Of ways that are as long, the one with the finest roundings tells the
 /// fastest motion best. In the roundings of another one, a slow axis may arrive many ticks earlier or later.

@@ -3,12 +3,9 @@
 //! Limits over a decade, unequal ones in one set of four; 1 to 6 axes; ticks from 125 µs to 4 ms; positions up to 10 from 0, some of the
 //! targets at 0; most targets are passed in motion.
 
-use atraj::axes::{line, synchronise, synchronise_within};
-use atraj::online::{Limits, Move};
-use atraj::{Error, Extremes, Findings, State};
 use std::fmt::{Display, Formatter, Result as Written};
 use support::online::{limits_of, numbers_of_state, plan};
-use support::{Random, Real};
+use support::prelude::*;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Way {

@@ -1,9 +1,8 @@
 //! Random sets of axes, in families. The same seed gives the same sets.
 
 use crate::judge::{Kind, Problem, Problems};
-use atraj::online::{Limits, State};
 use support::online::{Columns, numbers_of, tried};
-use support::{Random, Real};
+use support::prelude::*;
 
 macro_rules! families {
     ($($(#[$doc:meta])* $family:ident: $kinds:expr,)*) => {

@@ -4,11 +4,8 @@ use super::Set;
 use crate::judge::rivals::{fits_ruckig, ruckig};
 use crate::judge::{Check, LEAVES, Plan, Problem, Scale, Trial, Verdict, are_of_a_move, doubt, tolerance};
 use crate::liba::Original;
-use atraj::Findings;
-use atraj::axes::{line, synchronise};
-use atraj::online::{Error, Move};
 use support::online::tried;
-use support::{Random, Real};
+use support::prelude::*;
 
 pub trait Planner<R: Real> {
     fn synchronise(&self, set: &Set<R>, axes: &mut [Move<R>]) -> Result<Findings, Error> {

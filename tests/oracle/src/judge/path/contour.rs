@@ -1,10 +1,7 @@
 //! Paths that stay near their lines, with the points that are added.
 
 use super::{Chain, Path};
-use atraj::axes::{Contour, path_size, plan_contour};
-use atraj::online::{Error, Move};
-use atraj::{Findings, State};
-use support::Real;
+use support::prelude::*;
 
 pub struct Planned<R: Real> {
     pub answer: Result<Findings, Error>,

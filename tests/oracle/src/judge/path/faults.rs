@@ -1,9 +1,7 @@
 //! Faults planted into the planner of paths. They show whether the judge sees a fault.
 
 use super::{Chain, Path, Paths, Planner};
-use atraj::Findings;
-use atraj::online::Error;
-use support::Real;
+use support::prelude::*;
 
 listed! {
     pub enum Fault {

@@ -8,10 +8,7 @@ pub mod windows;
 use super::axes::several::{plan_of, scale_of_short_ramps};
 use super::{Check, Kind, Problem, Request, Trial};
 use crate::liba::Original;
-use atraj::axes::{improve_path, path_moves, path_size, path_size_near, plan_path, plan_path_near, synchronise};
-use atraj::online::{Error, Limits, Move};
-use atraj::{Findings, State};
-use support::{Random, Real, online};
+use support::prelude::*;
 
 pub use problems::{Chain, Chains, Family, example_of_ruckig};
 

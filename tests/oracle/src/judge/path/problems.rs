@@ -1,9 +1,7 @@
 //! Random paths, in families. The same seed gives the same paths.
 
-use atraj::State;
-use atraj::online::Limits;
 use support::online::{limits_of, numbers_of, numbers_of_state, state_of, symmetric};
-use support::{Random, Real};
+use support::prelude::*;
 
 listed! {
     /// What is adversarial about a path.

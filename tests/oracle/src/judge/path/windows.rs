@@ -2,11 +2,9 @@
 
 use super::{Chain, Path, Paths, Planner, under_way};
 use crate::liba::Original;
-use atraj::State;
-use atraj::online::Limits;
 use std::f64::consts::TAU;
 use std::time::{Duration, Instant};
-use support::Random;
+use support::prelude::*;
 
 const PERIOD: f64 = 0.05; // the time between two updates, s
 /// mm/s, mm/s², mm/s³
