@@ -790,6 +790,21 @@ fn a_hold_on_the_way_back_does_not_jump() {
     }
 }
 
+/// A chase began where the axis was, at its velocity: each plan added a rounding error to the one before, and the axis was up to 10,249 ulps too fast.
+fn no_chase_adds_up_rounding_errors<R: Real>() {
+    let (limits, from, to) = columns::<R>(&rows::<2>("no_chase_adds_up_rounding_errors"));
+    for ((limits, mut now), signal) in limits.iter().zip(from).zip(to) {
+        let mut axis = Move::default();
+        for _ in 0..48_000 {
+            axis.track(limits, now, signal, R::ZERO, R::of(250e-6)).expect("a plan");
+            let found = axis.check(limits).expect("numbers");
+            assert!(Findings::OVERSHOOTS.contains(found), "{found:?} {now:?}");
+            now = axis.state_at(R::of(125e-6));
+        }
+        assert!((now.position - signal.position).widen().abs() < 1e-5, "{now:?}");
+    }
+}
+
 /// One jerk and one acceleration of the lead are infinite. A standing axis was off its line, and a state across the line on it.
 #[test]
 fn a_line_is_known_by_finite_numbers() {
@@ -916,11 +931,8 @@ fn a_loop_in_float_meets_and_stops() {
 /// A move that ends on a line stepped over it and back, by a turn that is a rounding error.
 #[test]
 fn a_move_to_a_line() {
-    let limits = limits([
-        0.46081167645504084, -7.277538708106596, 8.641086547610236, -7.334289025475028, 9.182310404049078,
-        -9.182310404049078,
-    ]);
-    let axis = online::plan(&limits, State::at(-1.9000000000000001), State::at(-7.99));
+    let [(bounds, from, to)] = rows("a_move_to_a_line");
+    let axis = online::plan(&limits(bounds), state(from), state(to));
     let mut steps = Steps::new(&axis, 0.0, 0.01).expect("steps");
     assert!(std::iter::from_fn(|| steps.next(&axis)).all(|step| step.direction == -1));
 }
@@ -972,6 +984,6 @@ fn a_move_from_a_line<R: Real>() {
 
 test_both_reals!(
     a_gap_of_no_width, a_move_from_a_line, a_target_at_the_start, passed_in_motion, one_jerk_is_far_larger,
-    the_ramp_just_reaches_the_limit, times_of_positions, from_a_state_to_itself, beyond_the_range, named_tolerance,
-    of_any_size, at_the_border_of_the_range, the_rest_of_a_section
+    no_chase_adds_up_rounding_errors, the_ramp_just_reaches_the_limit, times_of_positions, from_a_state_to_itself,
+    beyond_the_range, named_tolerance, of_any_size, at_the_border_of_the_range, the_rest_of_a_section
 );

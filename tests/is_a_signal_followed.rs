@@ -160,36 +160,6 @@ fn an_axis_far_from_0_comes_to_rest() {
     }
 }
 
-/// A chase began where the axis was, at its velocity: each plan added a rounding error to the one before, and the axis was up to 10,249 ulps too fast.
-fn no_chase_adds_up_rounding_errors<R: Real>() {
-    let chases = [
-        (
-            [
-                4.684043322510035, -4.44146124186272, 9.79114066085995, -8.274580424030402, 10.722362465663263,
-                -23.89873248352598,
-            ],
-            [0.0, 0.0, 6.8612107453788145],
-            -6.06921161934658,
-        ),
-        (
-            [0.47036564, -3.5319684, 4.0095787, -2.0714068, 4.642212, -1.0520918],
-            [-0.54331404, -2.0813153, 0.0],
-            -0.826456,
-        ),
-    ];
-    for (limits, from, signal) in chases {
-        let (limits, mut now, mut axis) =
-            (online::limits_of(limits.map(R::of)), online::state_of(from), Move::default());
-        for _ in 0..48_000 {
-            axis.track(&limits, now, State::at(R::of(signal)), R::ZERO, R::of(250e-6)).expect("a plan");
-            let found = axis.check(&limits).expect("numbers");
-            assert!(Findings::OVERSHOOTS.contains(found), "{found:?} {now:?}");
-            now = axis.state_at(R::of(125e-6));
-        }
-        assert!((now.position.widen() - signal).abs() < 1e-5, "{now:?}");
-    }
-}
-
 /// A chase may exceed a low limit by a rounding error of high velocities. Three of these were dropped for a plan to where the signal was: it took 93 s.
 #[test]
 fn a_fast_signal_is_chased_from_every_velocity() {
@@ -369,4 +339,4 @@ fn any_signal_is_followed<R: Real>() {
     assert!(on_time > 400, "{on_time}");
 }
 
-test_both_reals!(any_signal_is_followed, no_chase_adds_up_rounding_errors);
+test_both_reals!(any_signal_is_followed);

@@ -1,4 +1,3 @@
 //! Are any bytes, as limits and states of several axes, refused without a trace or planned as moves that arrive together, without a panic?
 #![no_main]
-use oracle::bytes::several_axes;
-libfuzzer_sys::fuzz_target!(|bytes: &[u8]| several_axes(bytes));
+libfuzzer_sys::fuzz_target!(|bytes: &[u8]| oracle::bytes::several_axes(bytes));

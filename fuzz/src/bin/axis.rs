@@ -1,4 +1,3 @@
 //! Does an axis tick between any requests as moves do that are planned one by one, without a panic and without a jump at a takeover?
 #![no_main]
-use oracle::bytes::axis_in_a_machine;
-libfuzzer_sys::fuzz_target!(|bytes: &[u8]| axis_in_a_machine(bytes));
+libfuzzer_sys::fuzz_target!(|bytes: &[u8]| oracle::bytes::axis_in_a_machine(bytes));

@@ -1,4 +1,3 @@
 //! Does `bell` give the bits of the original for any move at any time?
 #![no_main]
-use oracle::{Family, bytes::compare};
-libfuzzer_sys::fuzz_target!(|bytes: &[u8]| compare(Family::Bell, bytes));
+libfuzzer_sys::fuzz_target!(|bytes: &[u8]| oracle::bytes::compare(oracle::Family::Bell, bytes));

@@ -1,4 +1,3 @@
 //! Are any numbers planned as a bell and as a trapezoid, without a panic, and is the motion clean?
 #![no_main]
-use oracle::bytes::plan;
-libfuzzer_sys::fuzz_target!(|bytes: &[u8]| plan(bytes));
+libfuzzer_sys::fuzz_target!(|bytes: &[u8]| oracle::bytes::plan(bytes));

@@ -1,4 +1,3 @@
 //! Are any bytes, as a move that is stepped and shaped, refused without a trace or counted and shaped right, without a panic?
 #![no_main]
-use oracle::bytes::steps_and_shapes;
-libfuzzer_sys::fuzz_target!(|bytes: &[u8]| steps_and_shapes(bytes));
+libfuzzer_sys::fuzz_target!(|bytes: &[u8]| oracle::bytes::steps_and_shapes(bytes));

@@ -1,4 +1,3 @@
 //! Are any bytes, as limits and waypoints, refused without a trace or planned as a path that is possible, without a panic?
 #![no_main]
-use oracle::bytes::waypoints;
-libfuzzer_sys::fuzz_target!(|bytes: &[u8]| waypoints(bytes));
+libfuzzer_sys::fuzz_target!(|bytes: &[u8]| oracle::bytes::waypoints(bytes));
