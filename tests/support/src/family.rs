@@ -1,8 +1,7 @@
 //! The five families of profiles: their arguments, fields, borders and quantities.
 
+use crate::prelude::*;
 use crate::profiles::{BELL_FIELDS, TRAP_FIELDS, bell, trap};
-use crate::real::Real;
-use atraj::{Bell, Trap};
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Family {

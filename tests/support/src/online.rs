@@ -1,11 +1,6 @@
 //! Random problems for moves from any state to any state, and what every move must be.
 
-use crate::random::Random;
-use crate::real::Real;
-use atraj::axes::{line, path_moves, path_size, plan_path, synchronise};
-use atraj::machine::{Group, GroupPlanner, GroupTicker};
-use atraj::online::{Limits, Move, Phase};
-use atraj::{Error, Extremes, Findings, State};
+use crate::prelude::*;
 
 pub fn limits_of<R>([vmax, vmin, amax, amin, jmax, jmin]: [R; 6]) -> Limits<R> {
     Limits { vmax, vmin, amax, amin, jmax, jmin }

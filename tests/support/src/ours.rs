@@ -2,9 +2,8 @@
 
 use crate::family::Family;
 use crate::implementation::Implementation;
-use crate::profiles::{Profile, bell, bell_fields, poly3, poly5, poly7, trap, trap_fields};
-use crate::real::Real;
-use atraj::{Boundary, Poly, Saturation};
+use crate::prelude::*;
+use crate::profiles::{Profile, bell, bell_planned, poly3, poly5, poly7, trap, trap_planned};
 
 /// atraj's plain structs and methods, without the C ABI. Its polynomials hold nothing but the coefficients of position, so
 /// an evaluation does not read the other fields of a polynomial.
@@ -17,16 +16,12 @@ impl<R: Real> Implementation<R> for OursNewest {
     fn plan(&self, family: Family, arguments: &[R], fields: &mut [R]) -> R {
         let planned = match (family, arguments) {
             (Family::Bell, &[jm, am, vm, p0, p1, v0, v1]) => {
-                let mut bell = bell(fields);
-                let planned = bell.plan_saturated(jm, am, vm, Boundary { p0, p1, v0, v1 }, Saturation::Numbers);
-                fields.copy_from_slice(&bell_fields(&bell));
-                planned
+                let boundary = Boundary { p0, p1, v0, v1 };
+                bell_planned(fields, |bell| bell.plan_saturated(jm, am, vm, boundary, Saturation::Numbers))
             }
             (Family::Trap, &[vm, ac, de, p0, p1, v0, v1]) => {
-                let mut trap = trap(fields);
-                let planned = trap.plan_saturated(vm, ac, de, Boundary { p0, p1, v0, v1 }, Saturation::Numbers);
-                fields.copy_from_slice(&trap_fields(&trap));
-                planned
+                let boundary = Boundary { p0, p1, v0, v1 };
+                trap_planned(fields, |trap| trap.plan_saturated(vm, ac, de, boundary, Saturation::Numbers))
             }
             _ => return Ours.plan(family, arguments, fields),
         };
@@ -42,16 +37,12 @@ impl<R: Real> Implementation<R> for Ours {
     fn plan(&self, family: Family, arguments: &[R], fields: &mut [R]) -> R {
         match (family, arguments) {
             (Family::Bell, &[jm, am, vm, p0, p1, v0, v1]) => {
-                let mut bell = bell(fields);
-                let duration = bell.plan(jm, am, vm, Boundary { p0, p1, v0, v1 });
-                fields.copy_from_slice(&bell_fields(&bell));
-                return duration.unwrap_or(R::ZERO);
+                let planned = bell_planned(fields, |bell| bell.plan(jm, am, vm, Boundary { p0, p1, v0, v1 }));
+                return planned.unwrap_or(R::ZERO);
             }
             (Family::Trap, &[vm, ac, de, p0, p1, v0, v1]) => {
-                let mut trap = trap(fields);
-                let duration = trap.plan(vm, ac, de, Boundary { p0, p1, v0, v1 });
-                fields.copy_from_slice(&trap_fields(&trap));
-                return duration.unwrap_or(R::ZERO);
+                let planned = trap_planned(fields, |trap| trap.plan(vm, ac, de, Boundary { p0, p1, v0, v1 }));
+                return planned.unwrap_or(R::ZERO);
             }
             (Family::Poly3, &[ts, p0, p1, v0, v1]) => {
                 let mut p = poly3(fields);

@@ -1,11 +1,9 @@
 //! The structs of the Rust API as arrays: their fields, and their functions with any number of quantities.
 
-use crate::real::Real;
-use atraj::online::Move;
-use atraj::{Bell, Poly3, Poly5, Poly7, Trap};
+use crate::prelude::*;
 
 macro_rules! named_fields {
-    ($profile:ident, $count:literal, $names:ident, $from:ident, $to:ident, [$($field:ident = $c:ident),*]) => {
+    ($profile:ident, $count:literal, $names:ident, $from:ident, $to:ident, $planned:ident, [$($field:ident = $c:ident),*]) => {
         pub const $names: [&str; $count] = [$(stringify!($c)),*];
 
         pub fn $from<R: Copy>(fields: &[R]) -> $profile<R> {
@@ -18,17 +16,25 @@ macro_rules! named_fields {
         pub fn $to<R: Copy>(profile: &$profile<R>) -> [R; $count] {
             [$(profile.$field),*]
         }
+
+        /// Makes a plan in the struct that has these fields, and writes them.
+        pub fn $planned<R: Copy, T>(fields: &mut [R], plan: impl FnOnce(&mut $profile<R>) -> T) -> T {
+            let mut profile = $from(fields);
+            let planned = plan(&mut profile);
+            fields.copy_from_slice(&$to(&profile));
+            planned
+        }
     };
 }
 
 #[rustfmt::skip]
 named_fields!(
-    Bell, 14, BELL_FIELDS, bell, bell_fields,
+    Bell, 14, BELL_FIELDS, bell, bell_fields, bell_planned,
     [t = t, tv = tv, ta = ta, td = td, taj = taj, tdj = tdj, p0 = p0, p1 = p1, v0 = v0, v1 = v1, vm = vm, jm = jm, am = am, dm = dm]
 );
 #[rustfmt::skip]
 named_fields!(
-    Trap, 12, TRAP_FIELDS, trap, trap_fields,
+    Trap, 12, TRAP_FIELDS, trap, trap_fields, trap_planned,
     [t = t, p0 = p0, p1 = p1, v0 = v0, v1 = v1, vc = vc, ta = ta, cruise_end = td, pa = pa, pd = pd, a0 = ac, a1 = de]
 );
 

@@ -1,9 +1,8 @@
 //! The double-S plan written a second time, step by step as the numerical contract has it, and never optimised. It counts
 //! the rounds of the search without cruise, which no library tells.
 
-use crate::profiles::{bell, bell_fields};
-use crate::real::Real;
-use atraj::Bell;
+use crate::prelude::*;
+use crate::profiles::bell_planned;
 
 #[derive(Clone, Copy, Debug)]
 pub struct Plan<R> {
@@ -13,10 +12,7 @@ pub struct Plan<R> {
 }
 
 pub fn plan<R: Real>(arguments: &[R], fields: &mut [R]) -> Plan<R> {
-    let mut bell = bell(fields);
-    let plan = steps(&mut bell, arguments.try_into().expect("seven arguments"));
-    fields.copy_from_slice(&bell_fields(&bell));
-    plan
+    bell_planned(fields, |bell| steps(bell, arguments.try_into().expect("seven arguments")))
 }
 
 fn steps<R: Real>(bell: &mut Bell<R>, arguments: [R; 7]) -> Plan<R> {
