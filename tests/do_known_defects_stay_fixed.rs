@@ -532,6 +532,17 @@ fn no_path_goes_back_to_a_start_in_motion() {
     assert_eq!(planner.path(&limits, &moves[1..], s, 1), Err(Error::Target));
 }
 
+/// An axis had come to rest. A path that begins there in motion was taken over, and never moved.
+#[test]
+fn no_path_begins_in_motion_at_a_standstill() {
+    let limits = [Limits::symmetric(30.0, 10.0, 5.0)];
+    let moves = [online::plan(&limits[0], state([10.0, 3.0, 0.0]), State::at(20.0))];
+    let (mut planner, mut ticker) = online::group(0.001, &[0.0]);
+    planner.go(&limits, &[State::at(10.0)], 1).expect("a plan");
+    after::<1>(10_000, &mut ticker);
+    assert_eq!(planner.path(&limits, &moves, 0.0, 1), Err(Error::Target));
+}
+
 /// A hold that begins later was forgotten when the path was continued: the axis went to its end.
 #[test]
 fn a_hold_outlives_the_next_path() {

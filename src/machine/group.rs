@@ -275,8 +275,10 @@ impl<'g, 'a, R: Real> GroupPlanner<'g, 'a, R> {
             Error::Position.unless(stay(moves, from.positions))?;
             let clock = &from.course.clock;
             Error::Target.unless(from.x >= clock.until())?;
-            let [_, rate, slowing, _] = from.time;
-            let steady = if slowing == R::ZERO { rate } else { R::ONE };
+            let [at, rate, slowing, _] = from.time;
+            // A motion that is over is no hold.
+            let is_over = rate == R::ZERO && (at <= R::ZERO || at >= duration(from.moves, limits.len()));
+            let steady = if slowing == R::ZERO && !is_over { rate } else { R::ONE };
             let length = time_of_rest(moves, limits.len());
             next.course.path = moves;
             for rate in [R::ONE, steady] {
