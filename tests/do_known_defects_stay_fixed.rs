@@ -41,7 +41,7 @@ fn worst_jump<R: Real>(planned: &Move<R>) -> f64 {
         position = position.max(end.abs());
     }
     let scale = position + online::fastest(planned) * planned.t.widen();
-    jump / (R::MACHINE_EPSILON.widen() * scale)
+    jump / (R::MACHINE_EPSILON.widen() * scale).max(f64::MIN_POSITIVE) // an axis may stand at 0
 }
 
 /// The numbers of a cell.
@@ -77,11 +77,11 @@ fn assert_planned<R: Real>(axes: &[Row], [planner, lowest, highest, duration, cy
             assert!(moves.iter().all(|axis| *axis == Move::default()), "{what} {moves:?}");
             continue;
         };
-        let t = moves[0].t.widen();
-        assert!(planned.is_ok() && t >= numbers(least)[0] && t < below, "{what} {planned:?} {moves:?}");
+        let (planned, t) = (planned.expect(what), moves[0].t.widen());
+        assert!(t >= numbers(least)[0] && t < below, "{what} {t} {moves:?}");
         for (k, ((axis, limits), to)) in moves.iter().zip(&limits).zip(to).enumerate() {
             let (jump, found) = (worst_jump(axis), axis.check(limits).expect("numbers"));
-            assert!(jump <= 64.0 && !found.contains(Findings::JUMPS), "{what} {jump} ulps: {axis:?}");
+            assert!(online::allowed(planned).contains(found) && jump <= 64.0, "{what} {found:?} {jump} ulps: {axis:?}");
             assert_eq!((axis.t, axis.state_at(axis.t)), (moves[0].t, to), "{what}");
             let (reached, rounding) = (axis.extremes(), R::of(64.0) * R::MACHINE_EPSILON);
             let stays_above = lowest.get(k).is_none_or(|low| reached.lowest.position > *low - rounding);
@@ -384,7 +384,7 @@ fn at_a_tick<R: Real>(row: Row, duration: f64, cycle: f64) -> Move<R> {
 /// An axis misses a tick by little, and what it did then was wrong.
 #[test]
 fn an_axis_misses_a_tick() {
-    let [far, cruise, outside, least] = rows("an_axis_misses_a_tick");
+    let [far, cruise, outside, _] = rows("an_axis_misses_a_tick");
     // By roundings of a far position: it cruised over its limit.
     let fastest = at_a_tick::<f32>(far, 0.0, 18.79726).extremes().highest.velocity.widen();
     assert!(fastest <= far.0[0] * (1.0 + 64.0 * f64::from(f32::EPSILON)), "{fastest}");
@@ -401,9 +401,6 @@ fn an_axis_misses_a_tick() {
     let [_, velocity, _] = outside.1;
     let jump = (at_a_tick::<f32>(outside, 0.0, 1.0810082).phase[1].velocity.widen() - velocity).abs();
     assert!(jump <= 512.0 * f64::from(f32::EPSILON) * velocity.abs(), "{jump}");
-    // With infinite jerks the least ramp takes no time, and it hurried to tick 0: it jumped to its target.
-    let tick = 10981.297685419608;
-    assert_eq!(at_a_tick::<f64>(least, 0.0, tick).t, tick);
 }
 
 /// On a way of 7e24 numbers leave the range of the real type. The path was planned, and its improvement was refused.
@@ -669,19 +666,6 @@ fn a_hard_brake_turns_at_the_position_limit() {
         axis.within(&limits, state([0.0, v, 0.0]), State::at(highest), f64::NEG_INFINITY, highest).expect("plans");
         assert!(axis.extremes().highest.position <= highest + 1e-12, "{v} {axis:?}");
     }
-    // With another axis, alone or slower, at rest or in motion. The fastest stop passes the position limit by 1.5 mm.
-    let (limits, from) = (Limits::symmetric(1.0, 1.0, 1.5), state([3.999, -0.375, 1.0]));
-    for to in [State::at(4.0), state([3.0, -0.5, 0.0])] {
-        for other in [0.0, 5.0] {
-            let (from, to) = ([from, State::at(0.0)], [to, State::at(other)]);
-            let bounds: [&[f64]; 2] = [&[f64::NEG_INFINITY; 2], &[4.0, 9.0]];
-            let mut axes = [Move::default(); 2];
-            synchronise_within(&mut axes, &[limits; 2], &from, &to, bounds, 0.0, 0.0).expect("plans");
-            assert!(axes[0].t == axes[1].t && axes[0].extremes().highest.position < 4.0 + 1e-12, "{axes:?}");
-            assert_eq!(axes.map(|axis| axis.state_at(axis.t)), to);
-            assert!(axes.iter().all(|axis| Findings::OVERSHOOTS.contains(axis.check(&limits).expect("numbers"))));
-        }
-    }
 }
 
 /// Plans turned beyond the lowest position by their rounding error. It fell from tick to tick, and after 719 ticks a plan was refused. The axes stopped
@@ -726,11 +710,8 @@ fn infinite_limits_of_every_kind_leave_a_common_duration() {
         let found = synchronise(&mut axes, &[limits], &[from], &[to], duration, 0.0);
         let checked = axes[0].check(&limits);
         assert!(found.is_ok() && axes[0].t >= duration, "{found:?} {duration} {row:?}");
-        // A start outside the limits exceeds them.
-        let exceeds = Findings::EXCEEDS_VELOCITY | Findings::EXCEEDS_ACCELERATION;
-        let exceeds = if of_plan.contains(Findings::STARTS_OUTSIDE) { exceeds } else { Findings::default() };
-        let allowed = of_plan | exceeds | Findings::OVERSHOOTS;
-        assert!(checked.is_ok_and(|found| allowed.contains(found)), "{checked:?} {duration} {row:?} {axes:?}");
+        let is_allowed = checked.is_ok_and(|found| online::allowed(of_plan).contains(found));
+        assert!(is_allowed, "{checked:?} {duration} {row:?} {axes:?}");
         let pair = [before, (limits, from, to)];
         let (all_limits, all_from, all_to) = (pair.map(|of| of.0), pair.map(|of| of.1), pair.map(|of| of.2));
         let mut axes = [Move::default(); 2];

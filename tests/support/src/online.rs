@@ -161,9 +161,9 @@ pub fn group<'a, R: Real>(period: f64, start: &[R]) -> (GroupPlanner<'a, 'a, R>,
 
 /// What a check may find in a plan that finds this. A start outside the limits exceeds them, but never their jerks, and makes no step.
 pub fn allowed(found: Findings) -> Findings {
-    let ends = Findings::OVERSHOOTS | Findings::STARTS_OUTSIDE | Findings::ENDS_LEAVING;
     let excess = Findings::EXCEEDS_VELOCITY | Findings::EXCEEDS_ACCELERATION;
-    if found.contains(Findings::STARTS_OUTSIDE) { ends | excess } else { ends }
+    let excess = if found.contains(Findings::STARTS_OUTSIDE) { excess } else { Findings::default() };
+    found | excess | Findings::OVERSHOOTS
 }
 
 /// The largest position, velocity and acceleration of a motion in either direction.
