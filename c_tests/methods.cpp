@@ -29,6 +29,11 @@ bool same(const atraj_axis &x, const atraj_axis &y) {
     return all;
 }
 
+bool same(const atraj_shaper &x, const atraj_shaper &y) {
+    return x.t == y.t && x.smoothing == y.smoothing && x.count == y.count && std::memcmp(x.weights, y.weights, sizeof(x.weights)) == 0 &&
+           std::memcmp(x.delays, y.delays, sizeof(x.delays)) == 0;
+}
+
 bool same(const atraj_steps &x, const atraj_steps &y) {
     return x.offset == y.offset && x.step == y.step && x.from == y.from && x.to == y.to && x.count == y.count && x.far == y.far && x.phase == y.phase;
 }
