@@ -90,8 +90,8 @@ pub(crate) fn fastest<R: Real>(border: &Border<R>, wanted: Displacement<R>) -> P
     motion
 }
 
-/// The first motion over `h` from the duration of a ramp on, or the last one before a gap: `crossing` tells. This duration allows one displacement only, whose shortfall
-/// is given.
+/// The first motion over `h` from the duration of a ramp on, or the last one before a gap: `crossing` tells. This duration allows one displacement
+/// only, whose shortfall is given.
 fn crossing_after_ramp<R: Real>(
     border: &Border<R>, ramp: &Ramp<R>, h: R, shortfall: Shortfall<R>, crossing: &mut Crossing,
 ) -> Profile<R> {
