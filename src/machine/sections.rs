@@ -13,6 +13,7 @@ pub(super) fn start_at_rest<R: Real>(moves: &[Move<R>], n: usize) -> bool {
 }
 
 /// How long the slowest axis moves, s.
+#[inline(never)] // for its size
 pub(super) fn duration<R: Real>(moves: &[Move<R>], n: usize) -> R {
     (0..n).map(|index| AxisPath::new(moves, n, index).duration()).fold(R::ZERO, R::at_least)
 }
