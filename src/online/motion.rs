@@ -34,12 +34,6 @@ pub struct Move<R> {
     pub phase: [Phase<R>; 16],
 }
 
-/// A time in a phase.
-struct Moment<'a, R> {
-    phase: &'a Phase<R>,
-    z: R,
-}
-
 impl<R: Real> Default for Move<R> {
     fn default() -> Self {
         Self { t: R::ZERO, count: 0, phase: [Phase::default(); 16] }
@@ -49,25 +43,25 @@ impl<R: Real> Default for Move<R> {
 impl<R: Real> Move<R> {
     /// Position at time `x`, s. Up to the start it is the initial one. After the end the axis moves on.
     pub fn position(&self, x: R) -> R {
-        let Moment { phase, z } = self.moment(x);
-        phase.position(z)
+        let phase = self.phase_at(x);
+        phase.position(phase.time(x))
     }
 
     /// Velocity at time `x`, s. Up to the start it is the initial one. After the end the axis moves on.
     pub fn velocity(&self, x: R) -> R {
-        let Moment { phase, z } = self.moment(x);
-        phase.velocity(z)
+        let phase = self.phase_at(x);
+        phase.velocity(phase.time(x))
     }
 
     /// Acceleration at time `x`, s. Up to the start it is the initial one, after the end the final one.
     pub fn acceleration(&self, x: R) -> R {
-        let Moment { phase, z } = self.moment(x);
-        phase.acceleration(z)
+        let phase = self.phase_at(x);
+        phase.acceleration(phase.time(x))
     }
 
     /// Jerk at time `x`, s; 0 up to the start, after the end and for a NaN.
     pub fn jerk(&self, x: R) -> R {
-        self.moment(x).phase.jerk
+        self.phase_at(x).jerk
     }
 
     sampled! { 4, "Position, velocity, acceleration and jerk" }
@@ -217,13 +211,8 @@ impl<R: Real> Move<R> {
         later.find(|start| *start > x)
     }
 
-    #[cfg_attr(target_os = "none", inline(never))] // one copy for all evaluations
-    fn moment(&self, x: R) -> Moment<'_, R> {
-        let phase = self.phase_at(x);
-        Moment { phase, z: phase.time(x) }
-    }
-
     /// The phase at the time `x`. Phase 0 is the start. After the last phase is one without duration, the end.
+    #[cfg_attr(target_os = "none", inline(never))] // one copy for all evaluations
     pub(crate) fn phase_at(&self, x: R) -> &Phase<R> {
         let [start, later @ ..] = &self.phase;
         let mut found = start;
@@ -259,7 +248,8 @@ impl<R: Real> Sampled<R, 4, 17> for Move<R> {
 
     #[inline(always)]
     fn together(&self, x: R) -> [R; 4] {
-        let Moment { phase, z } = self.moment(x);
+        let phase = self.phase_at(x);
+        let z = phase.time(x);
         let jerk = phase.jerk;
         [phase.position(z), phase.velocity(z), phase.acceleration(z), jerk]
     }
