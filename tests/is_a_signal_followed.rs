@@ -142,6 +142,16 @@ fn a_plan_ahead_keeps_the_limits() {
     }
 }
 
+/// The signal leaves the range of binary32 within the horizon. The plan ended at an infinite acceleration, without a finding.
+#[test]
+fn a_plan_ends_within_the_range() {
+    let limits = Limits { jmin: -8e31, ..Limits::symmetric(1.2_f32, 3.7, 1.2) };
+    let from = State { acceleration: 3.0, ..State::at(1.4e36) };
+    let mut planned = Move::default();
+    let tracked = planned.track(&limits, from, State::at(-0.5), -1e15, 7e37);
+    assert!(planned.check(&limits).is_ok(), "{tracked:?}, {planned:?}");
+}
+
 /// In binary32 a tick's way may be less than a rounding error of the position. The axis set off again and again, at full jerk.
 #[test]
 fn an_axis_far_from_0_comes_to_rest() {

@@ -72,7 +72,9 @@ impl<R: Real> Move<R> {
         let reached = self.extremes();
         let within = |x: R, low: R, high: R, size: R| (low - x).at_least(x - high) <= R::DOUBT * size;
         let [speed, acceleration] = [reached.speed(), reached.acceleration()];
-        self.is_finite()
+        // The states of a tracked move are sums from the start.
+        self.end().is_finite()
+            && self.is_finite()
             && self.phases().iter().all(|phase| within(phase.jerk, limits.jmin, limits.jmax, phase.jerk.abs()))
             && [reached.lowest, reached.highest].into_iter().all(|state| {
                 within(state.velocity, limits.vmin, limits.vmax, speed)
