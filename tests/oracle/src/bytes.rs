@@ -269,8 +269,11 @@ fn axis_as<R: Real>(_: u8, mut bytes: &[u8]) {
                         let [half, sixth] = [0.5, 1.0 / 6.0].map(R::of);
                         let p = position + t * (velocity + t * (half * acceleration + t * jerk * sixth));
                         let (v, a) = (velocity + t * (acceleration + half * t * jerk), acceleration + t * jerk);
-                        // A shorter horizon counts as the time until the plan takes over.
-                        let horizon = if horizon > R::ZERO && horizon < t { t } else { horizon };
+                        // The plan lasts until a call within `lead` takes over.
+                        let leading = period * R::of(f64::from(lead));
+                        let least = leading + (leading - t);
+                        let is_enough = horizon > least || horizon.is_nan() || horizon <= R::ZERO;
+                        let horizon = if is_enough { horizon } else { least };
                         next.track(&limits, from, State { position: p, velocity: v, acceleration: a }, jerk, horizon)
                     }),
                 ]
