@@ -109,31 +109,56 @@ pub(super) fn stretch<R: Real>(axis: &mut Move<R>, problem: &dyn Fn() -> Problem
         axis.slow_down(t);
     } else {
         let problem = problem();
-        if problem.may_shift(axis, t) { axis.shift_in_time(t) } else { fill(axis, &problem, t) }
+        if problem.may_shift(axis, t) {
+            axis.shift_in_time(t);
+        } else if !fill(axis, &problem, t) {
+            fill_nearly(axis, &problem, t);
+        }
     }
     Error::NotFinite.unless(axis.is_finite())
 }
 
-/// Makes the move of an axis in motion, planned as fast as possible, last `t`: by the first of these motions that exists.
-fn fill<R: Real>(axis: &mut Move<R>, problem: &Problem<R>, t: R) {
-    let has_time = t >= axis.t;
-    if has_time {
-        if let Some(cruise) = &Cruise::of(problem, t) {
-            return cruise.write(problem, axis, t);
-        }
+/// As [`stretch`], where nobody has asked whether `t` is possible. Returns whether it is; if not, the axis has no plan.
+pub(super) fn stretch_unasked<R: Real>(axis: &mut Move<R>, problem: &dyn Fn() -> Problem<R>, t: R) -> bool {
+    if may_last(axis, t) {
+        return stretch(axis, problem, t).is_ok();
     }
-    // If its problem does not take the duration, a problem that differs by rounding may: again the axis cruises, if it can.
-    let is_possible = has_time && (may_wait(problem) || blend::next_duration(problem, t) <= t);
-    let near = if is_possible { None } else { neighbour(problem, t) };
+    let problem = problem();
+    !problem.may_shift(axis, t) && fill(axis, &problem, t) && axis.is_finite()
+}
+
+/// Makes the move of an axis in motion, planned as fast as possible, last `t`, if this is possible: it cruises, if it can. Returns whether it is.
+fn fill<R: Real>(axis: &mut Move<R>, problem: &Problem<R>, t: R) -> bool {
+    if t < axis.t {
+        return false;
+    }
+    if let Some(cruise) = &Cruise::of(problem, t) {
+        cruise.write(problem, axis, t);
+        return true;
+    }
+    let is_possible = may_wait(problem) || blend::next_duration(problem, t) <= t;
+    if is_possible {
+        mix(axis, problem, t);
+    }
+    is_possible
+}
+
+/// As [`fill`], where a problem that differs by rounding may take the duration: again the axis cruises, if it can.
+fn fill_nearly<R: Real>(axis: &mut Move<R>, problem: &Problem<R>, t: R) {
+    let near = neighbour(problem, t);
     let problem = near.as_ref().unwrap_or(problem);
-    if !is_possible {
-        if let Some(cruise) = &Cruise::of(problem, t) {
-            return cruise.write(problem, axis, t);
-        }
+    match &Cruise::of(problem, t) {
+        Some(cruise) => cruise.write(problem, axis, t),
+        None => mix(axis, problem, t),
     }
+}
+
+/// Makes the move of an axis in motion last `t`, where it cannot cruise.
+#[inline(never)] // for its stack
+fn mix<R: Real>(axis: &mut Move<R>, problem: &Problem<R>, t: R) {
     if let Some(blend) = &Blend::of(problem, t) {
         blend.write(problem, axis, t);
-    } else if problem.to.is_at_rest() && has_time {
+    } else if problem.to.is_at_rest() && t >= axis.t {
         // Where rounding hides the wait from both, the axis waits at its target.
         axis.wait_until(t);
     } else {
@@ -143,7 +168,7 @@ fn fill<R: Real>(axis: &mut Move<R>, problem: &Problem<R>, t: R) {
 
 #[cfg(test)]
 mod tests {
-    use super::{Task, fill, next_duration, takes};
+    use super::{Task, fill_nearly, next_duration, takes};
     use crate::limits::Limits;
     use crate::online::Move;
     use crate::online::problem::Problem;
@@ -162,7 +187,7 @@ mod tests {
         let after = |ulps: f64| 1.0 + ulps * f64::EPSILON;
         assert!(takes(&axis, &problem, after(170.0)) && !takes(&axis, &problem, after(260.0)));
         // So it is 84 ulps slower. If it were shifted in time instead, it would be 170.
-        fill(&mut axis, &problem, after(170.0));
+        fill_nearly(&mut axis, &problem, after(170.0));
         assert!(axis.phase[1].velocity > 1.0 - 120.0 * f64::EPSILON);
     }
 
@@ -175,7 +200,7 @@ mod tests {
         problem.write(&mut axis, &problem.fastest()).expect("a plan");
         let t = axis.t - 1024.0 * f64::EPSILON;
         assert!(takes(&axis, &problem, t) && !problem.may_shift(&axis, t));
-        fill(&mut axis, &problem, t);
+        fill_nearly(&mut axis, &problem, t);
         assert!(axis.phase[1].velocity < 4.0 && axis.phase[1].acceleration.abs() < f64::EPSILON);
     }
 

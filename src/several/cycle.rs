@@ -54,7 +54,8 @@ impl<R: Real> Cycle<R> {
     }
 
     /// The first tick from `t` on, up to rounding.
-    fn from(&self, t: R) -> R {
+    #[inline(never)] // for its size
+    pub fn from(&self, t: R) -> R {
         self.count(t).map_or(t, |count| {
             let nearest = whole(count);
             // A small part of a period may underflow to 0.

@@ -1,6 +1,6 @@
 //! Several axes in the same time.
 
-use super::axis::{Task, checked, next_of_plan, stretch, takes};
+use super::axis::{Task, checked, next_of_plan, stretch, stretch_unasked, takes};
 use super::cycle::Cycle;
 use crate::findings::{Error, Findings};
 use crate::limits::Limits;
@@ -23,19 +23,37 @@ pub fn synchronise<R: Real>(
     if !tasks.clone().all(|task| task.is_ordinary(until_tick)) {
         rehearse(&cycle, duration, tasks.clone())?;
     }
-    let (mut found, mut slowest) = (Findings::default(), duration);
-    for (task, axis) in tasks.clone().zip(axes.iter_mut()) {
+    let mut found = Findings::default();
+    let slowest = plan_fastest(axes, tasks.clone(), duration, &mut found)?;
+    // Most often all axes can arrive on the first tick, and no tick before is near.
+    let first = cycle.from(slowest);
+    let is_first = cycle.earlier(first, slowest, axes.iter().map(|axis| axis.t), |_| true) == first;
+    let stretches = |(task, axis): (Task<R>, &mut Move<R>)| stretch_unasked(axis, &|| task.problem(), first);
+    if !(is_first && tasks.clone().zip(axes.iter_mut()).all(stretches)) {
+        if is_first {
+            plan_fastest(axes, tasks.clone(), duration, &mut found)?;
+        }
+        let t = common_duration(&cycle, slowest, tasks.clone().zip(axes.iter()))?;
+        for (task, axis) in tasks.zip(axes.iter_mut()) {
+            stretch(axis, &|| task.problem(), t)?;
+        }
+    }
+    Ok(axes.iter().fold(found, |found, axis| found | axis.turn_findings()))
+}
+
+/// Makes the fastest plan of each axis, and finds what it exceeds. The duration of the slowest one, which is at least `duration`, s.
+#[inline(never)] // for its size
+fn plan_fastest<'a, R: Real + 'a>(
+    axes: &mut [Move<R>], tasks: impl Iterator<Item = Task<'a, R>>, duration: R, found: &mut Findings,
+) -> Result<R, Error> {
+    let mut slowest = duration;
+    for (task, axis) in tasks.zip(axes) {
         let problem = task.problem();
         problem.write(axis, &problem.fastest())?;
-        found |= problem.outside();
+        *found |= problem.outside();
         slowest = slowest.at_least(axis.t);
     }
-    let t = common_duration(&cycle, slowest, tasks.clone().zip(axes.iter()))?;
-    for (task, axis) in tasks.zip(axes) {
-        stretch(axis, &|| task.problem(), t)?;
-        found |= axis.turn_findings();
-    }
-    Ok(found)
+    Ok(slowest)
 }
 
 /// The shortest duration from `slowest` on that all axes can take. Each axis has made its fastest plan.
