@@ -96,7 +96,9 @@ fn neighbour<R: Real>(problem: &Problem<R>, t: R) -> Option<Problem<R>> {
     let fitting = problem.border.faster_for(problem.after_recovery(t));
     let straight = problem.border.faster_for_straight();
     let changes = [fitting, straight, R::ZERO, rounding, -rounding];
-    changes.into_iter().map(|change| problem.starting_faster(change)).find(|problem| problem.takes(t))
+    let mut asked = R::INFINITY;
+    let is_new = |change: &R| core::mem::replace(&mut asked, *change) != *change;
+    changes.into_iter().filter(is_new).map(|change| problem.starting_faster(change)).find(|problem| problem.takes(t))
 }
 
 /// Makes the move of an axis, planned as fast as possible, last `t`, which is possible.
