@@ -148,14 +148,18 @@ fn from_steady<R: Real>(border: &Border<R>, h: R, tie: R) -> Profile<R> {
     motion
 }
 
-/// The shortest duration from `t` on in which the displacement `h` is possible; infinite if numbers are beyond the range.
+/// The shortest duration from `t` on in which the displacement `h` is possible, or any after `latest`, if it is after it; infinite if numbers are beyond
+/// the range.
 pub(crate) fn next_duration<R: Real>(
-    border: &Border<R>, mut t: R, Displacement { h, positions }: Displacement<R>,
+    border: &Border<R>, mut t: R, latest: R, Displacement { h, positions }: Displacement<R>,
 ) -> R {
     let after_gap = || border.passed(&border.after_gap()).duration;
     // At its end a gap may seem to be still ahead. A little later it does not.
     let later = |t: R, than: R| if t > than { t } else { than + of_state(than) };
     for _ in 0..MOST_DELAYS {
+        if t > latest {
+            break;
+        }
         let mirrored = border.mirrored();
         let (Some(farthest), Some(nearest)) = (border.farthest(t), mirrored.farthest(t)) else {
             // The fastest motion is below the shortest ramp, if its velocities are equal up to rounding.

@@ -88,7 +88,7 @@ impl<R: Real> Problem<R> {
     pub fn takes(&self, t: R) -> bool {
         let after = self.after_recovery(t);
         let lasts = t > R::ZERO && after + of_state(t) >= self.border.shortest();
-        lasts && crossing::next_duration(&self.border, after, self.displacement()) <= after
+        lasts && crossing::next_duration(&self.border, after, after, self.displacement()) <= after
     }
 
     /// The problem after the recovery, with another velocity at its start.

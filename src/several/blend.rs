@@ -19,7 +19,7 @@ pub(super) struct Blend<R> {
 /// The shortest possible duration from `duration` on, which is not below that of the fastest motion, s.
 pub(super) fn next_duration<R: Real>(problem: &Problem<R>, duration: R) -> R {
     let t = problem.after_recovery(duration);
-    let next = crossing::next_duration(&problem.border, t, problem.displacement());
+    let next = crossing::next_duration(&problem.border, t, R::INFINITY, problem.displacement());
     if next > t { problem.with_recovery(next) } else { duration }
 }
 
