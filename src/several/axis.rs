@@ -129,30 +129,31 @@ pub(super) fn stretch_unasked<R: Real>(axis: &mut Move<R>, problem: &dyn Fn() ->
     !problem.may_shift(axis, t) && fill(axis, &problem, t) && axis.is_finite()
 }
 
-/// Makes the move of an axis in motion, planned as fast as possible, last `t`, if this is possible: it cruises, if it can. Returns whether it is.
+/// Makes the move of an axis in motion, planned as fast as possible, last `t`, if this is possible. Returns whether it is.
 fn fill<R: Real>(axis: &mut Move<R>, problem: &Problem<R>, t: R) -> bool {
-    if t < axis.t {
-        return false;
-    }
-    if let Some(cruise) = &Cruise::of(problem, t) {
-        cruise.write(problem, axis, t);
+    let has_time = t >= axis.t;
+    if has_time && cruises(axis, problem, t) {
         return true;
     }
-    let is_possible = may_wait(problem) || blend::next_duration(problem, t) <= t;
+    let is_possible = has_time && (may_wait(problem) || blend::next_duration(problem, t) <= t);
     if is_possible {
         mix(axis, problem, t);
     }
     is_possible
 }
 
-/// As [`fill`], where a problem that differs by rounding may take the duration: again the axis cruises, if it can.
+/// As [`fill`], where a problem that differs by rounding may take the duration.
 fn fill_nearly<R: Real>(axis: &mut Move<R>, problem: &Problem<R>, t: R) {
     let near = neighbour(problem, t);
     let problem = near.as_ref().unwrap_or(problem);
-    match &Cruise::of(problem, t) {
-        Some(cruise) => cruise.write(problem, axis, t),
-        None => mix(axis, problem, t),
+    if !cruises(axis, problem, t) {
+        mix(axis, problem, t);
     }
+}
+
+/// Makes the axis cruise for what is left of `t`, if it can. Returns whether it can.
+fn cruises<R: Real>(axis: &mut Move<R>, problem: &Problem<R>, t: R) -> bool {
+    Cruise::of(problem, t).map(|cruise| cruise.write(problem, axis, t)).is_some()
 }
 
 /// Makes the move of an axis in motion last `t`, where it cannot cruise.

@@ -23,15 +23,16 @@ pub fn synchronise<R: Real>(
     if !tasks.clone().all(|task| task.is_ordinary(until_tick)) {
         rehearse(&cycle, duration, tasks.clone())?;
     }
-    let mut found = Findings::default();
-    let slowest = plan_fastest(axes, tasks.clone(), duration, &mut found)?;
+    let found = plan_fastest(axes, tasks.clone())?;
+    let durations = axes.iter().map(|axis| axis.t);
+    let slowest = durations.clone().fold(duration, R::at_least);
     // Most often all axes can arrive on the first tick, and no tick before is near.
     let first = cycle.from(slowest);
-    let is_first = cycle.earlier(first, slowest, axes.iter().map(|axis| axis.t), |_| true) == first;
+    let is_first = cycle.earlier(first, slowest, durations, |_| true) == first;
     let stretches = |(task, axis): (Task<R>, &mut Move<R>)| stretch_unasked(axis, &|| task.problem(), first);
     if !(is_first && tasks.clone().zip(axes.iter_mut()).all(stretches)) {
         if is_first {
-            plan_fastest(axes, tasks.clone(), duration, &mut found)?;
+            plan_fastest(axes, tasks.clone())?;
         }
         let t = common_duration(&cycle, slowest, tasks.clone().zip(axes.iter()))?;
         for (task, axis) in tasks.zip(axes.iter_mut()) {
@@ -41,19 +42,15 @@ pub fn synchronise<R: Real>(
     Ok(axes.iter().fold(found, |found, axis| found | axis.turn_findings()))
 }
 
-/// Makes the fastest plan of each axis, and finds what it exceeds. The duration of the slowest one, which is at least `duration`, s.
+/// Makes the fastest plan of each axis, and finds what is outside the limits.
 #[inline(never)] // for its size
 fn plan_fastest<'a, R: Real + 'a>(
-    axes: &mut [Move<R>], tasks: impl Iterator<Item = Task<'a, R>>, duration: R, found: &mut Findings,
-) -> Result<R, Error> {
-    let mut slowest = duration;
-    for (task, axis) in tasks.zip(axes) {
+    axes: &mut [Move<R>], tasks: impl Iterator<Item = Task<'a, R>>,
+) -> Result<Findings, Error> {
+    tasks.zip(axes).try_fold(Findings::default(), |found, (task, axis)| {
         let problem = task.problem();
-        problem.write(axis, &problem.fastest())?;
-        *found |= problem.outside();
-        slowest = slowest.at_least(axis.t);
-    }
-    Ok(slowest)
+        problem.write(axis, &problem.fastest()).map(|()| found | problem.outside())
+    })
 }
 
 /// The shortest duration from `slowest` on that all axes can take. Each axis has made its fastest plan.
@@ -65,18 +62,8 @@ fn common_duration<'a, R: Real + 'a, M: Borrow<Move<R>>>(
         let next = |(task, axis): (Task<R>, M)| next_of_plan(axis.borrow(), &|| task.problem(), t);
         planned.clone().map(next).fold(t, R::at_least)
     })?;
-    Ok(cycle.earlier(t, slowest, durations, |t| {
-        // Axes that are too slow first: they fail fast.
-        for is_slow in [true, false] {
-            for (task, axis) in planned.clone() {
-                let axis = axis.borrow();
-                if (axis.t > t) == is_slow && !takes(axis, &task.problem(), t) {
-                    return false;
-                }
-            }
-        }
-        true
-    }))
+    let take = |t| planned.clone().all(|(task, axis)| takes(axis.borrow(), &task.problem(), t));
+    Ok(cycle.earlier(t, slowest, durations, take))
 }
 
 /// Plans extreme axes one by one, to see whether all of them can be planned. So no axis is written on an error.
