@@ -94,9 +94,7 @@ impl<R: Real> Clock<R> {
     pub fn rate(&mut self, moves: &[Move<R>], limits: &[Limits<R>], x: R, rate: R) -> Result<Findings, Error> {
         Error::Axes.unless(are_whole(moves, limits.len()))?;
         Error::NotFinite.unless(x.is_finite() && rate.is_finite())?;
-        for limits in limits {
-            limits.are_limits()?;
-        }
+        limits.iter().try_for_each(Limits::are_limits)?;
         Error::Late.unless(x >= self.begin)?;
         let change = RateChange::new(moves, limits, rate)?;
         let now = self.state_of_time(x);

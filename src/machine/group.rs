@@ -213,9 +213,7 @@ impl<'g, 'a, R: Real> GroupPlanner<'g, 'a, R> {
         let [lowest, highest] = positions;
         let count = lowest.len();
         Error::Axes.unless(count == highest.len() && (count == 0 || count == self.0.states.len()))?;
-        for (lowest, highest) in lowest.iter().zip(highest) {
-            are_in_order(*lowest, *highest)?;
-        }
+        lowest.iter().zip(highest).try_for_each(|(&lowest, &highest)| are_in_order(lowest, highest))?;
         self.0.positions.set(positions);
         Ok(())
     }

@@ -95,9 +95,7 @@ impl<R: Real> Chain<'_, '_, R> {
     /// Takes over the plan that is there. Gives its duration if it is possible and no section is later than this, s.
     fn take_given(&mut self, given: &[R], late: R) -> Result<Option<R>, Error> {
         let full = Slow { factor: R::ONE, rate: R::ZERO, later: R::ZERO };
-        for point in 1..self.sections {
-            self.take_state(point, &full)?;
-        }
+        (1..self.sections).try_for_each(|point| self.take_state(point, &full))?;
         let mut is_possible = true;
         for section in 0..self.sections {
             let duration = self.given(section, given)?;
