@@ -148,8 +148,7 @@ fn from_steady<R: Real>(border: &Border<R>, h: R, tie: R) -> Profile<R> {
     motion
 }
 
-/// The shortest duration from `t` on in which the displacement `h` is possible, or any after `latest`, if it is after it; infinite if numbers are beyond
-/// the range.
+/// The shortest duration from `t` on in which the displacement `h` is possible; if that is after `latest`, any after it; infinite beyond the range.
 pub(crate) fn next_duration<R: Real>(
     border: &Border<R>, mut t: R, latest: R, Displacement { h, positions }: Displacement<R>,
 ) -> R {

@@ -76,12 +76,8 @@ impl<R: Real> Problem<R> {
         let own = of_state(from.acceleration.abs() + to.acceleration.abs());
         let is_known =
             acceleration * size <= velocity && jerk * size <= own + (velocity / t).at_most(of_check(jerk * t));
-        if !is_known {
-            return false;
-        }
         // Both ends have rounding errors.
-        let tie = border.rounding_of_displacement(t, self.positions);
-        from.velocity.abs() * size <= tie + tie
+        is_known && from.velocity.abs() * size <= R::from(2) * border.rounding_of_displacement(t, self.positions)
     }
 
     /// Whether the interval of the duration `t` holds the displacement, up to rounding.

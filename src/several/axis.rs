@@ -47,9 +47,7 @@ pub(crate) fn checked<'a, R: Real>(
     let fit = limits.len() == count && from.len() == count && to.len() == count;
     Error::Axes.unless(count > 0 && fit)?;
     let tasks = limits.iter().zip(from).zip(to).map(|((limits, from), to)| Task { limits, from, to });
-    for Task { limits, from, to } in tasks.clone() {
-        limits.check(*from, *to)?;
-    }
+    tasks.clone().try_for_each(|Task { limits, from, to }| limits.check(*from, *to))?;
     Ok(tasks)
 }
 
@@ -60,10 +58,7 @@ fn may_wait<R: Real>(problem: &Problem<R>) -> bool {
 
 /// The shortest possible duration from `t` on, which is not below that of the fastest motion, s.
 pub(crate) fn next_duration<R: Real>(problem: &Problem<R>, t: R) -> R {
-    if may_wait(problem) {
-        return t;
-    }
-    let next = blend::next_duration(problem, t);
+    let next = if may_wait(problem) { t } else { blend::next_duration(problem, t) };
     // Rounding and overflow may hide a feasible duration.
     if next > t && Cruise::of(problem, t).is_none() { next } else { t }
 }
@@ -114,7 +109,11 @@ pub(super) fn stretch<R: Real>(axis: &mut Move<R>, problem: &dyn Fn() -> Problem
         if problem.may_shift(axis, t) {
             axis.shift_in_time(t);
         } else if !fill(axis, &problem, t) {
-            fill_nearly(axis, &problem, t);
+            // A problem that differs by rounding may take the duration.
+            let near = neighbour(&problem, t).unwrap_or(problem);
+            if !cruises(axis, &near, t) {
+                mix(axis, &near, t);
+            }
         }
     }
     Error::NotFinite.unless(axis.is_finite())
@@ -142,15 +141,6 @@ fn fill<R: Real>(axis: &mut Move<R>, problem: &Problem<R>, t: R) -> bool {
     is_possible
 }
 
-/// As [`fill`], where a problem that differs by rounding may take the duration.
-fn fill_nearly<R: Real>(axis: &mut Move<R>, problem: &Problem<R>, t: R) {
-    let near = neighbour(problem, t);
-    let problem = near.as_ref().unwrap_or(problem);
-    if !cruises(axis, problem, t) {
-        mix(axis, problem, t);
-    }
-}
-
 /// Makes the axis cruise for what is left of `t`, if it can. Returns whether it can.
 fn cruises<R: Real>(axis: &mut Move<R>, problem: &Problem<R>, t: R) -> bool {
     Cruise::of(problem, t).map(|cruise| cruise.write(problem, axis, t)).is_some()
@@ -171,7 +161,7 @@ fn mix<R: Real>(axis: &mut Move<R>, problem: &Problem<R>, t: R) {
 
 #[cfg(test)]
 mod tests {
-    use super::{Task, fill_nearly, next_duration, takes};
+    use super::{Task, next_duration, stretch, takes};
     use crate::limits::Limits;
     use crate::online::Move;
     use crate::online::problem::Problem;
@@ -190,7 +180,7 @@ mod tests {
         let after = |ulps: f64| 1.0 + ulps * f64::EPSILON;
         assert!(takes(&axis, &problem, after(170.0)) && !takes(&axis, &problem, after(260.0)));
         // So it is 84 ulps slower. If it were shifted in time instead, it would be 170.
-        fill_nearly(&mut axis, &problem, after(170.0));
+        stretch(&mut axis, &|| problem, after(170.0)).expect("a move");
         assert!(axis.phase[1].velocity > 1.0 - 120.0 * f64::EPSILON);
     }
 
@@ -203,7 +193,7 @@ mod tests {
         problem.write(&mut axis, &problem.fastest()).expect("a plan");
         let t = axis.t - 1024.0 * f64::EPSILON;
         assert!(takes(&axis, &problem, t) && !problem.may_shift(&axis, t));
-        fill_nearly(&mut axis, &problem, t);
+        stretch(&mut axis, &|| problem, t).expect("a move");
         assert!(axis.phase[1].velocity < 4.0 && axis.phase[1].acceleration.abs() < f64::EPSILON);
     }
 

@@ -35,9 +35,7 @@ pub fn synchronise<R: Real>(
             plan_fastest(axes, tasks.clone())?;
         }
         let t = common_duration(&cycle, slowest, tasks.clone().zip(axes.iter()))?;
-        for (task, axis) in tasks.zip(axes.iter_mut()) {
-            stretch(axis, &|| task.problem(), t)?;
-        }
+        tasks.zip(axes.iter_mut()).try_for_each(|(task, axis)| stretch(axis, &|| task.problem(), t))?;
     }
     Ok(axes.iter().fold(found, |found, axis| found | axis.turn_findings()))
 }
@@ -58,10 +56,9 @@ fn common_duration<'a, R: Real + 'a, M: Borrow<Move<R>>>(
     cycle: &Cycle<R>, slowest: R, planned: impl ExactSizeIterator<Item = (Task<'a, R>, M)> + Clone,
 ) -> Result<R, Error> {
     let durations = planned.clone().map(|(_, axis)| axis.borrow().t);
-    let t = cycle.until_possible(planned.len(), slowest, |t| {
-        let next = |(task, axis): (Task<R>, M)| next_of_plan(axis.borrow(), &|| task.problem(), t);
-        planned.clone().map(next).fold(t, R::at_least)
-    })?;
+    let next = |t, (task, axis): (Task<R>, M)| next_of_plan(axis.borrow(), &|| task.problem(), t);
+    let next_of_all = |t: R| planned.clone().fold(t, |latest: R, axis| latest.at_least(next(t, axis)));
+    let t = cycle.until_possible(planned.len(), slowest, next_of_all)?;
     let take = |t| planned.clone().all(|(task, axis)| takes(axis.borrow(), &task.problem(), t));
     Ok(cycle.earlier(t, slowest, durations, take))
 }
@@ -69,13 +66,10 @@ fn common_duration<'a, R: Real + 'a, M: Borrow<Move<R>>>(
 /// Plans extreme axes one by one, to see whether all of them can be planned. So no axis is written on an error.
 #[cold]
 fn rehearse<'a, R: Real + 'a>(
-    cycle: &Cycle<R>, duration: R, tasks: impl ExactSizeIterator<Item = Task<'a, R>> + Clone,
+    cycle: &Cycle<R>, duration: R, mut tasks: impl ExactSizeIterator<Item = Task<'a, R>> + Clone,
 ) -> Result<(), Error> {
     let t = shortest_duration(cycle, duration, tasks.clone())?;
-    for task in tasks {
-        stretch(&mut fastest(task)?, &|| task.problem(), t)?;
-    }
-    Ok(())
+    tasks.try_for_each(|task| stretch(&mut fastest(task)?, &|| task.problem(), t))
 }
 
 /// The duration of the axes, which are planned one by one, and not written.
