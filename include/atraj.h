@@ -48,7 +48,7 @@ extern "C" {
  * @param p0 initial position, unit; `p1` final position
  * @param v0 initial velocity, unit/s; `v1` final velocity; both are limited to -vm .. vm
  * @return total duration, s; 0 if there is nothing to do. NaN, and `ctx` is untouched, if an argument is not a number,
- * a limit is 0, jerk and acceleration or a position are infinite, or `ctx` is NULL.
+ * a limit is 0, jerk and acceleration, a position or a velocity without a limit are infinite, or `ctx` is NULL.
  */
 A_EXTERN
 a_float atraj_bell_gen(a_trajbell *ctx,
@@ -109,7 +109,8 @@ void atraj_bell_state(const a_trajbell *ctx,
  * @param p0 initial position, unit; `p1` final position
  * @param v0 initial velocity, unit/s; `v1` final velocity; both are limited to -vm .. vm
  * @return total duration, s; 0 if there is nothing to do. NaN, and `ctx` is untouched, if an argument is not a number,
- * a limit is 0, `ac` and `de` have one sign, an acceleration or a position is infinite, or `ctx` is NULL.
+ * a limit is 0, `ac` and `de` have one sign, an acceleration, a position or a velocity without a limit is infinite, or
+ * `ctx` is NULL.
  */
 A_EXTERN
 a_float atraj_trap_gen(a_trajtrap *ctx,

@@ -974,8 +974,26 @@ fn a_move_from_a_line<R: Real>() {
     }
 }
 
+/// A limit that is never reached may be the largest number. A double-S was NaN or took years, and a move without a limit of the jerk jumped.
+fn the_largest_limits<R: Real>() {
+    let [zero, one, four] = [0.0, 1.0, 4.0].map(R::of);
+    let most = R::INFINITY.neighbour(-1);
+    let boundary = Boundary { p0: zero, p1: one, v0: R::of(0.5), v1: zero };
+    for (speed, unlimited) in [(one, one), (most, R::INFINITY)] {
+        let plan = |acceleration, velocity| Bell::fastest(four, acceleration, velocity, boundary).expect("a plan").t;
+        assert_eq!(plan(most, speed), plan(R::INFINITY, unlimited));
+    }
+    let limits = Limits { amax: R::of(most.widen() / 16.0), ..Limits::symmetric(R::INFINITY, four, one) };
+    let axis = online::plan(&limits, State::at(zero), State::at(one));
+    assert_eq!(axis.t, R::of(1.125));
+    let endless = Boundary { v0: R::INFINITY, v1: R::INFINITY, ..boundary };
+    assert_eq!(Bell::fastest(one, one, R::INFINITY, endless).err(), Some(Error::NotFinite));
+    assert_eq!(Trap::fastest(R::INFINITY, one, -one, endless).err(), Some(Error::NotFinite));
+}
+
 test_both_reals!(
-    a_gap_of_no_width, a_move_from_a_line, a_target_at_the_start, passed_in_motion, one_jerk_is_far_larger,
-    no_chase_adds_up_rounding_errors, the_ramp_just_reaches_the_limit, times_of_positions, from_a_state_to_itself,
-    beyond_the_range, named_tolerance, of_any_size, at_the_border_of_the_range, the_rest_of_a_section
+    the_largest_limits, a_gap_of_no_width, a_move_from_a_line, a_target_at_the_start, passed_in_motion,
+    one_jerk_is_far_larger, no_chase_adds_up_rounding_errors, the_ramp_just_reaches_the_limit, times_of_positions,
+    from_a_state_to_itself, beyond_the_range, named_tolerance, of_any_size, at_the_border_of_the_range,
+    the_rest_of_a_section
 );

@@ -13,7 +13,7 @@ impl<R: Real> Bell<R> {
     /// the axis, or nearer than it can stop, is reached by turning back. A move without displacement and without velocity has the duration 0.
     ///
     /// [`Error::Limits`] if a limit is 0, or these are all infinite; [`Error::NotFinite`] if an argument is not a
-    /// number, or a position or the duration infinite; nothing else fails.
+    /// number, or a position, the duration, or a velocity without a limit infinite; nothing else fails.
     ///
     /// ```
     /// use atraj::{Bell, Boundary, online::Error};
@@ -32,6 +32,7 @@ impl<R: Real> Bell<R> {
         }
         let boundary = boundary.limit_velocities(vm, Saturation::Numbers);
         let Boundary { p0, p1, v0, v1 } = boundary;
+        Error::NotFinite.unless(v0.is_finite() && v1.is_finite())?;
         if p0 == p1 && v0 == v1 {
             return Ok(Self { p0, p1, v0, v1, vm: v0, ..Self::default() });
         }
@@ -76,8 +77,10 @@ impl<R: Real> Bell<R> {
         let [h, forward_v0, forward_v1] = target::forward(p1 - p0, v0, v1);
         // A product takes a fraction of the time of a quotient.
         let per_jerk = R::ONE / jm;
-        let border =
-            ScaledBorder { v0: forward_v0 * per_jerk, dv: (forward_v1 - forward_v0) * per_jerk, limit: am * per_jerk };
+        let limit = am * per_jerk;
+        // A limit whose square is out of range is never reached.
+        let limit = if limit * limit < R::INFINITY { limit } else { R::INFINITY };
+        let border = ScaledBorder { v0: forward_v0 * per_jerk, dv: (forward_v1 - forward_v0) * per_jerk, limit };
         let h = h * per_jerk;
         let direct = border.direct();
         let positions = (p0.abs() + p1.abs()) * per_jerk;

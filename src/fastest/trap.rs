@@ -19,7 +19,8 @@ impl<R: Real> Trap<R> {
     /// the way to stop, is reached by turning. A move without displacement and without velocity has the duration 0.
     ///
     /// [`Error::Limits`] if a limit is 0, if both accelerations have one sign, or if an acceleration is infinite, because the velocity
-    /// would jump; [`Error::NotFinite`] if an argument is not a number, or a position or the duration infinite; nothing else fails.
+    /// would jump; [`Error::NotFinite`] if an argument is not a number, or a position, the duration, or a
+    /// velocity without a limit infinite; nothing else fails.
     ///
     /// ```
     /// use atraj::{Boundary, Trap};
@@ -38,6 +39,7 @@ impl<R: Real> Trap<R> {
         if !(limits && boundary.is_numbers() && rise.is_finite() && fall.is_finite()) {
             return Err(Error::of_plan([vm, rise, fall], boundary, Error::Limits));
         }
+        Error::NotFinite.unless(v0.is_finite() && v1.is_finite())?;
         let (h, dv) = (p1 - p0, v1 - v0);
         // The ramp that leads from the start straight to the end.
         let direct = (v0 + R::HALF * dv) * (dv.abs() / if dv < R::ZERO { fall } else { rise });

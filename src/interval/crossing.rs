@@ -317,7 +317,9 @@ fn holding<R: Real>(border: &Border<R>, motion: &mut Profile<R>, lacks: R) {
 fn both_hold<R: Real>(border: &Border<R>, motion: &mut Profile<R>, lacks: R) {
     let (bu, bd) = (border.limits.amax, -border.limits.amin);
     let sum = bu + bd;
-    let curvature = bu * bd / sum;
+    let product = bu * bd;
+    // The product may be out of range.
+    let curvature = if product < R::INFINITY { product / sum } else { bu * (bd / sum) };
     let slope = border.slope(motion);
     let longer = larger_root(slope / curvature, -(lacks + lacks) / curvature);
     motion.top = motion.top + bd / sum * longer;

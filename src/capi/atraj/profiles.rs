@@ -19,7 +19,7 @@ use core::ffi::c_int;
 /// @param p0 initial position, unit; `p1` final position
 /// @param v0 initial velocity, unit/s; `v1` final velocity; both are limited to -vm .. vm
 /// @return total duration, s; 0 if there is nothing to do. NaN, and `ctx` is untouched, if an argument is not a number,
-/// a limit is 0, jerk and acceleration or a position are infinite, or `ctx` is NULL.
+/// a limit is 0, jerk and acceleration, a position or a velocity without a limit are infinite, or `ctx` is NULL.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn atraj_bell_gen(
     ctx: *mut a_trajbell, jm: a_float, am: a_float, vm: a_float, p0: a_float, p1: a_float, v0: a_float, v1: a_float,
@@ -80,7 +80,8 @@ pub unsafe extern "C" fn atraj_bell_state(
 /// @param p0 initial position, unit; `p1` final position
 /// @param v0 initial velocity, unit/s; `v1` final velocity; both are limited to -vm .. vm
 /// @return total duration, s; 0 if there is nothing to do. NaN, and `ctx` is untouched, if an argument is not a number,
-/// a limit is 0, `ac` and `de` have one sign, an acceleration or a position is infinite, or `ctx` is NULL.
+/// a limit is 0, `ac` and `de` have one sign, an acceleration, a position or a velocity without a limit is infinite, or
+/// `ctx` is NULL.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn atraj_trap_gen(
     ctx: *mut a_trajtrap, vm: a_float, ac: a_float, de: a_float, p0: a_float, p1: a_float, v0: a_float, v1: a_float,
