@@ -938,15 +938,32 @@ fn a_turn_within_a_tick_makes_steps() {
     assert_eq!(directions, [1, 1, -1, -1]);
 }
 
-/// From a hundredth of the rate it took 25 s to the full one, because a change was looked for at few places of so slow a motion.
-#[test]
-fn a_low_rate_is_left_at_once() {
+/// A clock whose rate changes at these times, s. The axis takes 1.4 s to its end.
+fn clock_after(changes: &[(f64, f64)]) -> Clock<f64> {
     let axis = [online::plan(&Limits::symmetric(20.0, 5.0, 1.0), State::at(0.0), State::at(1.0))];
     let (limits, mut clock) = ([Limits::symmetric(25.0, 6.25, 1.25)], Clock::new());
-    for (from, rate) in [(0.0144721, 0.01), (76.52, 1.0)] {
+    for &(from, rate) in changes {
         clock.rate(&axis, &limits, from, rate).expect("a change");
     }
-    assert!(clock.until() < 76.52 + 1.0, "{}", clock.until());
+    clock
+}
+
+/// From a hundredth of the rate it took 25 s to the full one, because a change was looked for at few places of so slow a motion; while the rate was
+/// falling to a thousandth, 129 s.
+#[test]
+fn a_low_rate_is_left_at_once() {
+    for changes in [[(0.0144721, 0.01), (76.52, 1.0)], [(0.71, 0.001), (0.87, 1.0)]] {
+        let until = clock_after(&changes).until();
+        assert!(until < changes[1].0 + 2.0, "{until}");
+    }
+}
+
+/// The rate is falling to a thousandth when it is to rise again. The axis went back by 0.37 s of its path before.
+#[test]
+fn a_falling_rate_rises_without_a_turn() {
+    let clock = clock_after(&[(0.88, 0.001), (1.14, 1.0)]);
+    let times: Vec<f64> = (88..300).map(|k| clock.time(f64::from(k) / 100.0)).collect();
+    assert!(times.is_sorted(), "{times:?}");
 }
 
 /// Rounded positions are nearer than both velocities tell, which agree: the axis steps one way.

@@ -2,7 +2,7 @@
 
 use super::enclosure::Enclosure;
 use super::sections::{AxisPath, start_at_rest, time_of_rest};
-use crate::findings::Error;
+use crate::findings::{Error, Extremes};
 use crate::interval::rounding::{of_check, of_formula};
 use crate::limits::Limits;
 use crate::online::{Move, Phase};
@@ -50,6 +50,8 @@ pub(super) struct RateChange<'a, R> {
     least: [R; 2],
     /// The new rate surely keeps the limits from this time of the path on; NaN if this is not known.
     kept_from: R,
+    /// A fast change stays between these rates. So the time does not turn, unless the motion or the new rate makes it turn, or no change is found.
+    rates: [R; 2],
 }
 
 impl<'a, R: Real> RateChange<'a, R> {
@@ -59,7 +61,7 @@ impl<'a, R: Real> RateChange<'a, R> {
         let speeds =
             moves.iter().zip(limits.iter().cycle()).map(|(of, limits)| (of.extremes().speed(), R::ZERO, limits));
         let least = slowest([R::INFINITY; 2], speeds);
-        Ok(Self { moves, limits, rate, length, least, kept_from: R::NAN })
+        Ok(Self { moves, limits, rate, length, least, kept_from: R::NAN, rates: [-R::INFINITY, R::INFINITY] })
     }
 
     /// Plans the change in `time`, which is the motion as it would go on. It does so until a faster change is found.
@@ -72,23 +74,44 @@ impl<'a, R: Real> RateChange<'a, R> {
         let is_kept = self.keeps_after(State { velocity: self.rate, ..from });
         self.kept_from = if is_kept { from.position } else { R::NAN };
         let stop = self.free_stop(from.position)?;
-        let Some(law) = self.faster_later(stop, time)? else { return self.slow(from, stop, time) };
+        let Extremes { lowest, highest } = time.extremes();
+        let rounding = of_check(R::ONE);
+        let bound = |turns: bool| if turns { R::INFINITY } else { rounding };
+        let [low, high] = [lowest.velocity.at_most(self.rate), highest.velocity.at_least(self.rate)];
+        self.rates = [-bound(low < -rounding), bound(high > rounding)];
+        let mut found = self.faster_later(stop, time)?;
+        if found.is_none() {
+            self.rates = [-R::INFINITY, R::INFINITY];
+            found = self.faster_later(stop, time)?;
+        }
+        let Some(law) = found else { return self.slow(from, stop, time) };
         // From a low rate the motion takes long to the places where a change is searched.
-        let is_low = self.rate.abs() > from.velocity.abs() && from.velocity != R::ZERO;
-        Ok(if is_low { self.sooner(from, stop, law, time) } else { law })
+        let is_low = |phase: &&Phase<R>| {
+            let Phase { duration, velocity, acceleration, jerk, .. } = **phase;
+            let is_steady = duration > R::ZERO && acceleration == R::ZERO && jerk == R::ZERO;
+            is_steady && velocity != R::ZERO && velocity.abs() < self.rate.abs()
+        };
+        match time.phases().iter().find(is_low).copied() {
+            Some(low) => self.sooner(&low, stop, law, time),
+            None => Ok(law),
+        }
     }
 
-    /// What is sooner: the law, or that of the slow change.
+    /// What is sooner: the law, or a change from the begin of its steady phase on.
     #[inline(never)] // for its stack
-    fn sooner(&self, from: State<R>, stop: R, law: Law<R>, time: &mut Move<R>) -> Law<R> {
-        let mut slow = Move::default();
-        match self.slow(from, stop, &mut slow) {
-            Ok(sooner) if sooner.is_reached && sooner.until < law.until => {
-                *time = slow;
-                sooner
-            }
-            _ => law,
+    fn sooner(&self, steady: &Phase<R>, stop: R, law: Law<R>, time: &mut Move<R>) -> Result<Law<R>, Error> {
+        let (from, mut change, mut joined) = (steady.state(), Move::default(), *time);
+        let is_fast = self.fastest(from, stop, law.until - steady.start, &mut change)?;
+        let fast = Law { until: change.t, is_reached: true };
+        let found = if is_fast { Ok(fast) } else { self.slow(from, stop, &mut change) };
+        let Ok(Law { until, is_reached }) = found else { return Ok(law) };
+        let until = steady.start + until;
+        let is_joined = until < law.until && joined.change_at(steady.start, &change).is_some();
+        if !is_joined || joined.go_to_the_end(self.length).is_none() {
+            return Ok(law);
         }
+        *time = joined;
+        Ok(Law { until, is_reached })
     }
 
     /// A faster change, which may begin later; `stop` is the slowest axis' free stop. `None` if none is found and the motion cannot go on.
@@ -118,12 +141,14 @@ impl<'a, R: Real> RateChange<'a, R> {
                     *time = joined;
                 }
             }
-            t = t + step
-                .at_least(R::HALF * R::HALF * R::HALF * t)
-                .at_least(R::SIXTEENTH * R::HALF * R::HALF * (until - t).at_most(time.t));
             if t >= time.t.at_most(until) {
                 break;
             }
+            // The last place is the end of the motion.
+            let later = step
+                .at_least(R::HALF * R::HALF * R::HALF * t)
+                .at_least(R::SIXTEENTH * R::HALF * R::HALF * (until - t).at_most(time.t));
+            t = (t + later).at_most(time.t);
         }
         Ok((until < R::INFINITY).then_some(Law { until, is_reached }))
     }
@@ -225,7 +250,7 @@ impl<'a, R: Real> RateChange<'a, R> {
                 let limits = [share * up, share * down, acceleration * scale];
                 self.within(from, limits, &mut time)?;
                 let is_shorter = time.t < shortest;
-                if is_shorter && self.is_on_path(&time) && self.keeps(&time) {
+                if is_shorter && self.is_along_path(&time) && self.keeps(&time) {
                     (shortest, best, low) = (time.t, Some(limits), scale);
                     *change = time;
                 } else if is_shorter || low > R::ZERO {
@@ -261,7 +286,7 @@ impl<'a, R: Real> RateChange<'a, R> {
                     *limit = *limit * R::SIXTEENTH * R::from(raise);
                 }
                 self.within(from, higher, &mut faster)?;
-                let is_better = faster.t < time.t && (self.is_on_path(&faster) || !self.is_on_path(time));
+                let is_better = faster.t < time.t && (self.is_along_path(&faster) || !self.is_on_path(time));
                 if is_better && self.keeps(&faster) {
                     (*time, limits) = (faster, higher);
                 }
@@ -283,6 +308,12 @@ impl<'a, R: Real> RateChange<'a, R> {
         let extremes = time.extremes();
         let rounding = of_check(self.axis(0).duration());
         extremes.lowest.position >= -rounding && extremes.highest.position <= self.length + rounding
+    }
+
+    /// Whether the time stays between the ends of the path and its rate between its bounds.
+    fn is_along_path(&self, time: &Move<R>) -> bool {
+        let (Extremes { lowest, highest }, [low, high]) = (time.extremes(), self.rates);
+        lowest.velocity >= low && highest.velocity <= high && self.is_on_path(time)
     }
 
     /// Whether the rate does not overshoot by more than 1, and all axes surely keep their limits.
