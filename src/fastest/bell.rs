@@ -32,9 +32,9 @@ impl<R: Real> Bell<R> {
         }
         let boundary = boundary.limit_velocities(vm, Saturation::Numbers);
         let Boundary { p0, p1, v0, v1 } = boundary;
-        Error::NotFinite.unless(v0.is_finite() && v1.is_finite())?;
         if p0 == p1 && v0 == v1 {
-            return Ok(Self { p0, p1, v0, v1, vm: v0, ..Self::default() });
+            let bell = Self { p0, p1, v0, v1, vm: v0, ..Self::default() };
+            return if v0.is_finite() { Ok(bell) } else { Err(Error::NotFinite) };
         }
         let mut jm = Self::resolved_jerk(jm, am, vm, boundary);
         let mut bell = Self::default();
@@ -48,7 +48,7 @@ impl<R: Real> Bell<R> {
             jm = am / part;
         }
         // Between equal velocities the direct ramp takes no time. Else a move takes some, unless its jerk is below the range of the real type.
-        let is_there = (p1 - p0).abs() <= R::DOUBT * p0.abs() + R::DOUBT * p1.abs() && v0 == v1;
+        let is_there = (p1 - p0).abs() <= R::DOUBT * p0.abs() + R::DOUBT * p1.abs() && v0 == v1 && v0.is_finite();
         let lasts = bell.t > R::ZERO || is_there;
         if lasts && bell.t.is_finite() { Ok(bell) } else { Err(Error::NotFinite) }
     }

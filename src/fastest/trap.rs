@@ -39,7 +39,6 @@ impl<R: Real> Trap<R> {
         if !(limits && boundary.is_numbers() && rise.is_finite() && fall.is_finite()) {
             return Err(Error::of_plan([vm, rise, fall], boundary, Error::Limits));
         }
-        Error::NotFinite.unless(v0.is_finite() && v1.is_finite())?;
         let (h, dv) = (p1 - p0, v1 - v0);
         // The ramp that leads from the start straight to the end.
         let direct = (v0 + R::HALF * dv) * (dv.abs() / if dv < R::ZERO { fall } else { rise });
@@ -76,7 +75,7 @@ impl<R: Real> Trap<R> {
             a0,
             a1,
         };
-        if trap.t.is_finite() { Ok(trap) } else { Err(Error::NotFinite) }
+        if trap.t.is_finite() && v0.is_finite() { Ok(trap) } else { Err(Error::NotFinite) }
     }
 }
 

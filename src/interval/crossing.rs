@@ -317,12 +317,12 @@ fn holding<R: Real>(border: &Border<R>, motion: &mut Profile<R>, lacks: R) {
 fn both_hold<R: Real>(border: &Border<R>, motion: &mut Profile<R>, lacks: R) {
     let (bu, bd) = (border.limits.amax, -border.limits.amin);
     let sum = bu + bd;
-    let product = bu * bd;
-    // The product may be out of range.
-    let curvature = if product < R::INFINITY { product / sum } else { bu * (bd / sum) };
+    // Quotients first: the product of both limits may be out of range.
+    let [part_up, part_down] = [bd / sum, bu / sum];
+    let curvature = bu * part_up;
     let slope = border.slope(motion);
     let longer = larger_root(slope / curvature, -(lacks + lacks) / curvature);
-    motion.top = motion.top + bd / sum * longer;
+    motion.top = motion.top + part_up * longer;
     motion.trough = -bd;
-    motion.bottom = motion.bottom + bu / sum * longer;
+    motion.bottom = motion.bottom + part_down * longer;
 }
