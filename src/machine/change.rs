@@ -97,7 +97,7 @@ impl<'a, R: Real> RateChange<'a, R> {
         }
     }
 
-    /// What is sooner: the law, or a change from the begin of its steady phase on.
+    /// What is sooner: the law, or a change from the start of its steady phase on.
     #[inline(never)] // for its stack
     fn sooner(&self, steady: &Phase<R>, stop: R, law: Law<R>, time: &mut Move<R>) -> Result<Law<R>, Error> {
         let (from, mut change, mut joined) = (steady.state(), Move::default(), *time);
